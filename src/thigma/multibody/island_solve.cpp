@@ -9,6 +9,7 @@
 #include "thigma/multibody/detail/island_newton.h"
 #include "thigma/multibody/detail/joint_terms.h"
 #include "thigma/multibody/detail/multiplier_drift.h"
+#include "thigma/multibody/detail/row_rules.h"
 #include "thigma/multibody/detail/row_speed.h"
 
 namespace thigma {
@@ -228,8 +229,7 @@ void prepare(Work& work) noexcept {
 /// Whether the friction of some row is at its bound, for its normal impulse.
 bool slides(std::span<const IslandRow> rows) noexcept {
   return std::any_of(rows.begin(), rows.end(), [](const IslandRow& row) {
-    return row.friction > 0.0 && row.impulse.x() > 0.0 &&
-           row.impulse.tail<2>().norm() >= kBinds * row.friction * row.impulse.x();
+    return row.friction > 0.0 && row.impulse.x() > 0.0 && detail::is_sliding(row);
   });
 }
 
@@ -262,6 +262,44 @@ bool solve_sticking(Work& work, double enough, IslandSolution& solution) noexcep
   solution.rounds = 0;
   begin(work);
   return false;
+}
+
+/// Whatever slides: rounds, whose bounds of friction follow what the normals allow.
+void solve_sliding(Work& work, double enough, IslandSolution& solution) noexcept {
+  constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
+  // Likewise of the last factors, where these are numbered.
+  constexpr std::int32_t kHeldNewton = 12;
+  const std::int32_t& newton_left = work.s.newton_left;
+  const double small = kSmall * work.speed;
+  Change change;
+  Relaxation relaxation;
+  Patience changing, held;  // of rounds whose bounds of friction change, and stay
+  bool is_cut_short = false, holds_radius = false;
+  while (solution.rounds < kMostRounds) {
+    solution.newton += detail::minimize(work, enough, kMostNewton);
+    // Forces away from a round's minimum are no impulses: those of the round before stay.
+    is_cut_short = newton_left == 0;
+    if (is_cut_short) break;
+    holds_radius = holds_radius || solution.rounds >= kMostRounds - kHeld ||
+                   (newton_left > 0 && newton_left <= kHeldNewton);
+    change = take_multipliers(work);
+    ++solution.rounds;
+    const bool is_met = change.speed <= kAccuracy * work.speed;
+    if (is_met && (holds_radius || change.unsettled <= kSettled)) break;
+    if (holds_radius) {
+      if (held.is_over(change.speed, kInfinity, small)) break;
+      continue;
+    }
+    holds_radius = changing.is_over(change.speed, change.unsettled, small);
+    if (holds_radius && change.unsettled <= kNear) break;
+    if (!is_met && !holds_radius) follow_drift(work);
+    relaxation.take_radius(work, change.unsettled);
+  }
+  if (is_cut_short && solution.rounds > 0) leave_drift(work);
+  solution.residual = std::max(change.residual, 0.0);
+  solution.unsettled = change.unsettled;
+  solution.is_whole =
+      solution.residual <= detail::kRowsMet * work.speed && !(is_cut_short && solution.rounds == 0);
 }
 
 /// What the rows' impulses, as they are, make of the free velocities.
@@ -303,48 +341,14 @@ IslandSolution solve_island(std::span<IslandBody> bodies, std::span<IslandRow> r
                             std::span<JointRow> joints, IslandScratch& scratch) noexcept {
   Work work{bodies, rows, joints, scratch};
   prepare(work);
-  IslandSolution solution;
   const double momentum = work.speed * std::sqrt(largest_mass(bodies));
-  if (solve_sticking(work, kGradient * momentum, solution)) {
-    finish(work);
+  const double enough = kGradient * momentum;
+  IslandSolution solution;
+  if (solve_sticking(work, enough, solution))
     solution.is_whole = true;
-    return solution;
-  }
-  constexpr int kHeld = 10;  // of the last rounds: friction's bounds stay, so that normals settle
-  // Likewise of the last factors, where these are numbered.
-  constexpr std::int32_t kHeldNewton = 12;
-  Change change;
-  Relaxation relaxation;
-  Patience changing, held;  // of rounds whose bounds of friction change, and stay
-  bool is_cut_short = false, holds_radius = false;
-  while (solution.rounds < kMostRounds) {
-    solution.newton += detail::minimize(work, kGradient * momentum, kMostNewton);
-    // Forces away from a round's minimum are no impulses: those of the round before stay.
-    is_cut_short = scratch.newton_left == 0;
-    if (is_cut_short) break;
-    holds_radius = holds_radius || solution.rounds >= kMostRounds - kHeld ||
-                   (scratch.newton_left > 0 && scratch.newton_left <= kHeldNewton);
-    change = take_multipliers(work);
-    ++solution.rounds;
-    if (change.speed <= kAccuracy * work.speed && (holds_radius || change.unsettled <= kSettled))
-      break;
-    const double small = kSmall * work.speed;
-    if (holds_radius) {
-      if (held.is_over(change.speed, kInfinity, small)) break;
-      continue;
-    }
-    holds_radius = changing.is_over(change.speed, change.unsettled, small);
-    if (holds_radius && change.unsettled <= kNear) break;
-    const bool is_met = change.speed <= kAccuracy * work.speed;
-    if (!is_met && !holds_radius) follow_drift(work);
-    relaxation.take_radius(work, change.unsettled);
-  }
-  if (is_cut_short && solution.rounds > 0) leave_drift(work);
+  else
+    solve_sliding(work, enough, solution);
   finish(work);
-  solution.residual = std::max(change.residual, 0.0);
-  solution.unsettled = change.unsettled;
-  solution.is_whole =
-      solution.residual <= detail::kRowsMet * work.speed && !(is_cut_short && solution.rounds == 0);
   return solution;
 }
 

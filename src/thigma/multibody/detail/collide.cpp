@@ -119,14 +119,7 @@ std::int32_t list_bounces(const Hit& hit) {
     if (!(share > 0.0)) continue;
     ++count;
     const Vec3 p = e * share * (row.impulse.x() + after.impulse.x()) * after.normal;
-    if (after.a >= 0) {
-      s.bounce[idx(after.a)].head<3>() -= p;
-      s.bounce[idx(after.a)].tail<3>() -= after.arm_a.cross(p);
-    }
-    if (after.b >= 0) {
-      s.bounce[idx(after.b)].head<3>() += p;
-      s.bounce[idx(after.b)].tail<3>() += after.arm_b.cross(p);
-    }
+    add_impulse_at(after, -p, s.bounce);
   }
   return count;
 }

@@ -94,14 +94,7 @@ bool list_bounces(const HandWork& work) THIGMA_RT {
     any = true;
     const Vec3 p =
         s.spring[number] * (work.memory.impulses[number].x() + row.impulse.x()) * row.normal;
-    if (row.a >= 0) {
-      s.bounce[idx(row.a)].head<3>() -= p;
-      s.bounce[idx(row.a)].tail<3>() -= row.arm_a.cross(p);
-    }
-    if (row.b >= 0) {
-      s.bounce[idx(row.b)].head<3>() += p;
-      s.bounce[idx(row.b)].tail<3>() += row.arm_b.cross(p);
-    }
+    add_impulse_at(row, -p, s.bounce);
   }
   return any;
 }

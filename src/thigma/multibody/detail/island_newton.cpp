@@ -49,16 +49,6 @@ Vec3 pull_of(const IslandRow& row, const Vec3& speed, double weight) noexcept {
   return row.impulse + weight * (speed - Vec3(row.limit, 0.0, 0.0));
 }
 
-/// The nearest multipliers in Coulomb's cone.
-Vec3 cone_force_of(const Vec3& z, double friction) noexcept {
-  const double across = z.tail<2>().norm();
-  if (z.x() + friction * across <= 0.0) return Vec3::Zero();
-  if (across <= friction * z.x()) return z;
-  const double normal = (z.x() + friction * across) / (1.0 + friction * friction);
-  const double share = friction * normal / across;
-  return {normal, share * z.y(), share * z.z()};
-}
-
 /// Gradient of the augmented Lagrangian at u; the rows' forces there.
 void evaluate(IslandWork& work, std::span<const Vec6> u, std::span<Vec6> gradient) noexcept {
   for (std::size_t i = 0; i < work.bodies.size(); ++i)
@@ -93,20 +83,6 @@ Mat3 slope_of(const IslandRow& row, const Vec3& speed, double weight, double rad
   const Vec2 along = z / length;
   d.bottomRightCorner<2, 2>() =
       radius / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
-  return d;
-}
-
-/// The same of a row with a cone.
-Mat3 cone_slope_of(const Vec3& z, double friction) noexcept {
-  const double across = z.tail<2>().norm();
-  if (z.x() + friction * across <= 0.0) return Mat3::Zero();
-  if (across <= friction * z.x()) return Mat3::Identity();
-  const Vec2 along = z.tail<2>() / across;
-  const Vec3 edge(1.0, friction * along.x(), friction * along.y());
-  const double square = 1.0 + friction * friction;
-  const double turns = friction * (z.x() + friction * across) / (square * across);
-  Mat3 d = edge * edge.transpose() / square;
-  d.bottomRightCorner<2, 2>() += turns * (Eigen::Matrix2d::Identity() - along * along.transpose());
   return d;
 }
 
@@ -225,6 +201,28 @@ void search_downhill(IslandWork& work) noexcept {
 
 }  // namespace
 
+Vec3 cone_force_of(const Vec3& z, double friction) noexcept {
+  const double across = z.tail<2>().norm();
+  if (z.x() + friction * across <= 0.0) return Vec3::Zero();
+  if (across <= friction * z.x()) return z;
+  const double normal = (z.x() + friction * across) / (1.0 + friction * friction);
+  const double share = friction * normal / across;
+  return {normal, share * z.y(), share * z.z()};
+}
+
+Mat3 cone_slope_of(const Vec3& z, double friction) noexcept {
+  const double across = z.tail<2>().norm();
+  if (z.x() + friction * across <= 0.0) return Mat3::Zero();
+  if (across <= friction * z.x()) return Mat3::Identity();
+  const Vec2 along = z.tail<2>() / across;
+  const Vec3 edge(1.0, friction * along.x(), friction * along.y());
+  const double square = 1.0 + friction * friction;
+  const double turns = friction * (z.x() + friction * across) / (square * across);
+  Mat3 d = edge * edge.transpose() / square;
+  d.bottomRightCorner<2, 2>() += turns * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  return d;
+}
+
 Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
   const Vec3 w = approach_of(row, row.a >= 0 ? &u[idx(row.a)] : nullptr,
                              row.b >= 0 ? &u[idx(row.b)] : nullptr);
@@ -235,15 +233,7 @@ Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept {
 void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) noexcept {
   const Vec3 p = impulse.x() * row.normal + impulse.y() * row.first +
                  impulse.z() * row.normal.cross(row.first);
-  if (row.a >= 0) {
-    Vec6& a = to[idx(row.a)];
-    a.head<3>() += p;
-    a.tail<3>() += row.arm_a.cross(p);
-  }
-  if (row.b < 0) return;
-  Vec6& b = to[idx(row.b)];
-  b.head<3>() -= p;
-  b.tail<3>() -= row.arm_b.cross(p);
+  add_impulse_at(row, p, to);
 }
 
 int minimize(IslandWork& work, double enough, int most) noexcept {

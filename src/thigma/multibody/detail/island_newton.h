@@ -25,6 +25,15 @@ Vec3 approach(const IslandRow& row, std::span<const Vec6> u) noexcept;
 /// Adds an impulse along normal and tangents to what acts on a, and takes it from b.
 void add_impulse(const IslandRow& row, const Vec3& impulse, std::span<Vec6> to) noexcept;
 
+/// The nearest to z in Coulomb's cone: |tangential| <= friction * normal.
+///
+/// z         normal, then tangential
+/// friction  > 0
+Vec3 cone_force_of(const Vec3& z, double friction) noexcept;
+
+/// Derivative of it by z; at the cone's boundaries that of either side.
+Mat3 cone_slope_of(const Vec3& z, double friction) noexcept;
+
 /// Least of the augmented Lagrangian, from the velocities that there are: a semismooth Newton's
 /// method, never uphill. The scratch has the velocities, and the multipliers that they give rows
 /// and joints (`force`, `joint_force`).

@@ -222,8 +222,8 @@ struct GapsAfter {
   }
 };
 
-/// The same of islands with joints, whose velocities are right after `collide` only; what that gave
-/// their joints is taken back where one does.
+/// Whether an island with joints has more energy than it may. Its velocities are right after
+/// `collide` only; what that gave the joints is taken back where one has.
 bool jointed_gain_energy(Part& part) noexcept {
   auto& s = part.s;
   bool is_gain = false;

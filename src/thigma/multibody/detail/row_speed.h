@@ -1,9 +1,11 @@
 #pragma once
-// How fast the two places of a row come together.
+// How fast the two places of a row come together, and what an impulse there gives their bodies.
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "thigma/core/index.h"
 #include "thigma/multibody/island_solve.h"
 
 namespace thigma::detail {
@@ -32,6 +34,22 @@ inline Vec3 approach_of(const IslandRow& row, const Vec6* a, const Vec6* b) noex
 /// Of it what is along the normal, > 0 where they come together [m/s].
 inline double normal_speed(const IslandRow& row, const Vec6* a, const Vec6* b) noexcept {
   return row.normal.dot(approach_of(row, a, b));
+}
+
+/// Adds an impulse at a row's place to what acts on its first body, and takes it from its second.
+///
+/// p   [N s; world]
+/// to  linear, then angular, by body
+inline void add_impulse_at(const IslandRow& row, const Vec3& p, std::span<Vec6> to) noexcept {
+  if (row.a >= 0) {
+    Vec6& a = to[idx(row.a)];
+    a.head<3>() += p;
+    a.tail<3>() += row.arm_a.cross(p);
+  }
+  if (row.b < 0) return;
+  Vec6& b = to[idx(row.b)];
+  b.head<3>() -= p;
+  b.tail<3>() -= row.arm_b.cross(p);
 }
 
 /// Speed of a body without rows, turning included by its energy [m/s].
