@@ -19,24 +19,6 @@ constexpr std::size_t kCompared =
     20'000;                      // exact contacts of a pose that recall is taken over, at most
 constexpr double kReach = 0.02;  // by the radius
 
-Report report_of(const ContactSet& set) {
-  Report report;
-  report.points.reserve(set.contacts.size());
-  for (const Contact& c : set.contacts) report.points.push_back(0.5 * (c.point + c.scene_point));
-  if (!set.contacts.empty()) report.least = least_distance(set);
-  return report;
-}
-
-template <class Contacts>
-Report report_of_depths(const Contacts& contacts) {
-  Report report;
-  for (const auto& c : contacts) {
-    report.points.push_back(c.point);
-    report.least = std::min(report.least.value_or(-c.depth), -c.depth);
-  }
-  return report;
-}
-
 // Times `query` on poses along the path, and asks `tell` for its report at the checked ones.
 template <class Query, class Tell>
 MethodTiming time_poses(const BenchPair& pair, const std::vector<Pose>& path, double budget,
@@ -84,6 +66,14 @@ MethodTiming time_poses(const BenchPair& pair, const std::vector<Pose>& path, do
 }
 
 }  // namespace
+
+Report report_of(const ContactSet& set) {
+  Report report;
+  report.points.reserve(set.contacts.size());
+  for (const Contact& c : set.contacts) report.points.push_back(0.5 * (c.point + c.scene_point));
+  if (!set.contacts.empty()) report.least = least_distance(set);
+  return report;
+}
 
 Truth find_truth(const BenchPair& pair, const Pose& pose) {
   ContactFront front;

@@ -10,6 +10,7 @@
 #include "benchmarks/bench_rows.h"
 #include "benchmarks/probe.h"
 
+#include "thigma/contact/contact.h"
 #include "thigma/contact/resolution.h"
 
 namespace thigma::bench {
@@ -20,6 +21,20 @@ struct Report {
   // smallest separation, negative in penetration; none: no contact [m]
   std::optional<double> least;
 };
+
+/// Of the exact query: a point halfway between the two of each contact.
+Report report_of(const ContactSet& set);
+
+/// Of a method whose contacts have a point and a depth.
+template <class Contacts>
+Report report_of_depths(const Contacts& contacts) {
+  Report report;
+  for (const auto& c : contacts) {
+    report.points.push_back(c.point);
+    report.least = std::min(report.least.value_or(-c.depth), -c.depth);
+  }
+  return report;
+}
 
 /// The exact contacts at a pose, and their local regions: contacts linked by steps of `reach`.
 struct Truth {

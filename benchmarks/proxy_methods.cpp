@@ -21,23 +21,6 @@ Pose pose_of(const ContactWorld& world, const BodyState& state) {
   return Pose{state.position, state.orientation} * world.body_from_mesh;
 }
 
-Report report_of(const ContactSet& set) {
-  Report report;
-  report.points.reserve(set.contacts.size());
-  for (const Contact& c : set.contacts) report.points.push_back(0.5 * (c.point + c.scene_point));
-  if (!set.contacts.empty()) report.least = least_distance(set);
-  return report;
-}
-
-Report report_of(const std::vector<ShellContact>& contacts) {
-  Report report;
-  for (const ShellContact& c : contacts) {
-    report.points.push_back(c.point);
-    report.least = std::min(report.least.value_or(-c.depth), -c.depth);
-  }
-  return report;
-}
-
 /// Takes a run's time of a frame.
 void take(std::size_t frame, double seconds, MethodRun& run) {
   if (frame == run.seconds.size())
@@ -127,7 +110,7 @@ void run_shell(const ShellPair& shells, const std::vector<AskedQuery>& asked, Me
     query_shells(shells.object, asked[i].world_from_object, shells.scene, shells.world_from_scene,
                  asked[i].tolerance, contacts);
     take(i, thread_cpu() - start, out);
-    if (is_first) out.reports.push_back(report_of(contacts));
+    if (is_first) out.reports.push_back(report_of_depths(contacts));
   }
 }
 

@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
-#include "thigma/core/index.h"
-
 namespace thigma::bench {
 namespace {
 
-// Of the separation, and of the stand-off: as build_constraints has them.
-constexpr double kShare = 0.95, kKept = 0.5, kFar = 10.0;
-constexpr int kHalvings = 6;
+constexpr double kShare = 0.95, kFar = 10.0;  // of the separation: as build_constraints has them
 
 FoundRow row_of(const ShellContact& contact, const Pose& body_from_world,
                 const Friction& friction) {
@@ -44,21 +40,7 @@ void make_shell_rows(const ConstraintWorld& world, const BodyState& state,
   model.state = state;
   model.reach = world.reach;
   model.travel = kShare * std::min(separation, kFar * world.reach);
-  model.rows.clear();
-  std::span<const std::int32_t> needed;
-  for (int halvings = 0; halvings <= kHalvings; ++halvings) {
-    const RowBounds bounds{model.travel, world.reach, kKept * world.slop};
-    needed = halvings == 0 ? needed_rows(scratch.found, state, bounds, kMaxRows, scratch.implied)
-                           : needed_again(bounds, kMaxRows, scratch.implied);
-    if (needed.size() <= kMaxRows || halvings == kHalvings) break;
-    model.travel *= 0.5;
-  }
-  if (needed.size() > kMaxRows)
-    model.travel = std::min(model.travel, std::max(scratch.found[idx(needed.back())].gap, 0.0));
-  for (const std::int32_t row : needed) {
-    if (model.rows.size() == kMaxRows) break;
-    model.rows.push_back(scratch.found[idx(row)].row);
-  }
+  take_needed_rows(scratch.found, world.slop, scratch.implied, model);
 }
 
 }  // namespace thigma::bench

@@ -9,6 +9,7 @@
 #include "json_out.h"
 #include "named_scene.h"
 #include "run_world.h"
+#include "warned_recording.h"
 #include "world_recorder.h"
 #include <nlohmann/json.hpp>
 
@@ -187,9 +188,7 @@ ReplayedWorld replay_recorded(const std::string& path, const WorldRecording& rec
 }
 
 int replay_world(const std::string& path, const Common& common) {
-  const WorldRecording recording = read_world_recording(path);
-  for (const std::string& warning : recording.warnings)
-    if (!common.quiet) print_error(path + ": " + warning);
+  const WorldRecording recording = read_world_warned(path, common.quiet);
   const ReplayedWorld made = replay_recorded(path, recording, load_recorded(path, recording));
   nlohmann::ordered_json json;
   json["frames"] = made.summary.frames;

@@ -210,8 +210,8 @@ class WorldLive {
     constexpr double kPictures = 30.0;  // a second
     const auto every = static_cast<std::uint64_t>(std::max(1.0, world_.config.rate / kPictures));
     if (frames_++ % every != 0) return;
-    const std::size_t near = read_rows(run.world(), run.state(), run.scratch(),
-                                       1.0 / world_.config.rate, live::kViewedRows, rows_);
+    const std::size_t near =
+        read_rows(run.state(), run.scratch(), 1.0 / world_.config.rate, live::kViewedRows, rows_);
     server_.observe(rows_, near);
   }
 

@@ -12,12 +12,26 @@ RecordingInfo stream_recording_warned(const std::string& path, const RecordingSi
   return recording;
 }
 
+namespace {
+
+void warn(const std::string& path, const std::vector<std::string>& warnings, bool is_quiet) {
+  for (const std::string& warning : warnings)
+    if (!is_quiet) print_error(path + ": " + warning);
+}
+
+}  // namespace
+
 WorldRecordingPass stream_world_warned(const std::string& path, const WorldRecordingSinks& sinks,
                                        bool is_quiet) {
   WorldRecordingPass pass = stream_world_recording(path, sinks);
-  for (const std::string& warning : pass.warnings)
-    if (!is_quiet) print_error(path + ": " + warning);
+  warn(path, pass.warnings, is_quiet);
   return pass;
+}
+
+WorldRecording read_world_warned(const std::string& path, bool is_quiet) {
+  WorldRecording recording = read_world_recording(path);
+  warn(path, recording.warnings, is_quiet);
+  return recording;
 }
 
 }  // namespace thigma::app

@@ -14,8 +14,9 @@ namespace thigma::app {
 RecordingInfo stream_recording_warned(const std::string& path, const RecordingSinks& sinks,
                                       bool is_quiet);
 
-/// The same of a world's.
+/// The same of a world's, frame by frame or all of it.
 WorldRecordingPass stream_world_warned(const std::string& path, const WorldRecordingSinks& sinks,
                                        bool is_quiet);
+WorldRecording read_world_warned(const std::string& path, bool is_quiet);
 
 }  // namespace thigma::app

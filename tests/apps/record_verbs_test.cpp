@@ -7,10 +7,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <sstream>
 
 #include "apps/program.h"
+#include "support/copy_recording.h"
 #include "support/far_recording.h"
 #include "support/mcap_bytes.h"
 #include <gtest/gtest.h>
@@ -346,26 +346,6 @@ nlohmann::json record_world(const std::string& file) {
   return json_line(e);
 }
 
-/// Copies a recording, with other words in messages, and only those of topics that are wanted.
-void copy_recording(const std::string& from, const std::string& to, const std::string& words,
-                    const std::string& others,
-                    const std::function<bool(const std::string& topic)>& is_wanted) {
-  const McapFile file = read_mcap(from);
-  McapWriter writer(to);
-  std::vector<std::uint16_t> channels;
-  for (const std::string& topic : file.topics)
-    channels.push_back(writer.add_channel(topic, "thigma.copied", ""));
-  for (const McapMessage& message : file.messages) {
-    const auto channel = static_cast<std::size_t>(message.channel);
-    if (!is_wanted(file.topics[channel])) continue;
-    std::string data(message.data);
-    if (const std::size_t at = data.find(words); at != std::string::npos)
-      data.replace(at, words.size(), others);
-    writer.write(channels[channel], message.sequence, message.time, data);
-  }
-  writer.close();
-}
-
 TEST(RecordVerbs, haptic_steps_that_a_world_left_out_at_its_end_are_known) {
   const std::string file = out_file("steps.mcap"), lost = out_file("lost_steps.mcap");
   const nlohmann::json run = record_world(file);
@@ -375,8 +355,12 @@ TEST(RecordVerbs, haptic_steps_that_a_world_left_out_at_its_end_are_known) {
   EXPECT_EQ(whole["identical"], true) << whole;
   EXPECT_EQ(whole["haptic"]["lost"], 0);
   const std::string words = "\"haptic_steps\":[";
-  copy_recording(file, lost, words + steps + "]", words + "1" + steps + "]",
-                 [](const std::string&) { return true; });
+  copy_recording(file, lost, [&](const std::string&, const McapMessage& message) {
+    std::string data(message.data);
+    if (const std::size_t at = data.find(words + steps + "]"); at != std::string::npos)
+      data.insert(at + words.size(), "1");
+    return data;
+  });
   const Ended e = run_program({"replay", lost, "--json"});
   EXPECT_EQ(e.code, 5) << e.err;
   const nlohmann::json replay = json_line(e);
@@ -389,7 +373,9 @@ TEST(RecordVerbs, haptic_steps_that_a_world_left_out_at_its_end_are_known) {
 TEST(RecordVerbs, a_world_without_a_frame_is_replayed_to_its_end) {
   const std::string file = out_file("world.mcap"), none = out_file("no_frame.mcap");
   record_world(file);
-  copy_recording(file, none, "", "", [](const std::string& topic) { return topic == "/config"; });
+  copy_recording(file, none, [](const std::string& topic, const McapMessage& message) {
+    return topic == "/config" ? std::optional(std::string(message.data)) : std::nullopt;
+  });
   const Ended e = run_program({"replay", none, "--json"}, 60.0);
   EXPECT_EQ(e.code, 0) << e.err;
   EXPECT_EQ(json_line(e)["frames"], 0);

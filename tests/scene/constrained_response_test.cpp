@@ -141,38 +141,30 @@ TEST(ConstrainedResponse, ThePenaltyLetsThemIn) {
   EXPECT_GT(felt.met, 0);
 }
 
-TEST(ConstrainedResponse, ReplaysBitForBit) {
-  const std::string path = (fs::temp_directory_path() / "thigma_constrained.mcap").string();
-  const Scene scene = constrained_jaws(0.3);
+/// What was felt of a recorded session, which replays bit for bit.
+SessionSummary felt_and_replayed(const Scene& scene, const std::string& name) {
+  const std::string path = (fs::temp_directory_path() / name).string();
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
   const SessionSummary felt = record_lockstep(session, path);
   const ReplayReport replay = replay_recording(path);
   EXPECT_EQ(replay.state_hash, felt.state_hash);
   EXPECT_GT(felt.force_max, 0.3);
   fs::remove(path);
+  return felt;
+}
+
+TEST(ConstrainedResponse, ReplaysBitForBit) {
+  felt_and_replayed(constrained_jaws(0.3), "thigma_constrained.mcap");
 }
 
 TEST(ConstrainedResponse, ReplaysBitForBitWhereContactsAreCarried) {
-  const std::string path = (fs::temp_directory_path() / "thigma_constrained_carry.mcap").string();
-  const Scene scene = jaws_that_carry(0.1);
-  SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
-  const SessionSummary felt = record_lockstep(session, path);
-  const ReplayReport replay = replay_recording(path);
-  EXPECT_EQ(replay.state_hash, felt.state_hash);
-  EXPECT_GT(felt.force_max, 0.3);
-  fs::remove(path);
+  felt_and_replayed(jaws_that_carry(0.1), "thigma_constrained_carry.mcap");
 }
 
 TEST(ConstrainedResponse, ReplaysBitForBitWhereFarPairsStayCoarse) {
-  const std::string path = (fs::temp_directory_path() / "thigma_constrained_levels.mcap").string();
-  const Scene scene = jaws_with_levels(0.025);
-  SceneSession session = open_session(scene, {.device = "hand:", .duration = 1.2, .seed = 7});
-  const SessionSummary felt = record_lockstep(session, path);
-  const ReplayReport replay = replay_recording(path);
-  EXPECT_EQ(replay.state_hash, felt.state_hash);
-  EXPECT_GT(felt.force_max, 0.3);
+  const SessionSummary felt =
+      felt_and_replayed(jaws_with_levels(0.025), "thigma_constrained_levels.mcap");
   EXPECT_GT(felt.constraint.coarse_max, 0);
-  fs::remove(path);
 }
 
 TEST(ConstrainedResponse, IsReadFromAScene) {

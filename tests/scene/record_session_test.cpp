@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "support/copy_recording.h"
 #include "support/small_jaws.h"
 #include <gtest/gtest.h>
 
@@ -83,17 +84,9 @@ TEST(RecordSession, RefusesToReplayFramesWithoutTheirConfiguration) {
   const Scene scene = load_scene(test::small_jaws());
   SceneSession session = open_session(scene, {.device = "hand:", .duration = 0.05});
   record_lockstep(session, path);
-  const McapFile whole = read_mcap(path);
-  McapWriter part(without);
-  std::vector<std::uint16_t> channels;
-  for (const std::string& topic : whole.topics)
-    channels.push_back(part.add_channel(topic, "thigma.Any", ""));
-  for (const McapMessage& message : whole.messages) {
-    const auto topic = static_cast<std::size_t>(message.channel);
-    if (whole.topics[topic] != "/config")
-      part.write(channels[topic], message.sequence, message.time, message.data);
-  }
-  part.close();
+  test::copy_recording(path, without, [](const std::string& topic, const McapMessage& message) {
+    return topic == "/config" ? std::nullopt : std::optional(std::string(message.data));
+  });
   EXPECT_THROW(replay_recording(without), InputError);
   fs::remove(path);
   fs::remove(without);

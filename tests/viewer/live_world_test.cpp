@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/copy_recording.h"
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
 
@@ -355,18 +356,11 @@ TEST(LiveWorld, WhatAPageDidIsReplayedBitForBit) {
 
 /// A copy without its end, and without haptic steps of such a number or more.
 void cut_off(const std::string& from, const std::string& to, std::uint32_t steps) {
-  const McapFile file = read_mcap(from);
-  McapWriter writer(to);
-  std::vector<std::uint16_t> channels;
-  for (const std::string& topic : file.topics)
-    channels.push_back(writer.add_channel(topic, "thigma.copied", ""));
-  for (const McapMessage& message : file.messages) {
-    const std::string& topic = file.topics[static_cast<std::size_t>(message.channel)];
-    if (topic == "/events" || (topic.ends_with("/haptic") && message.sequence >= steps)) continue;
-    writer.write(channels[static_cast<std::size_t>(message.channel)], message.sequence,
-                 message.time, message.data);
-  }
-  writer.close();
+  copy_recording(from, to, [&](const std::string& topic, const McapMessage& message) {
+    const bool is_left_out =
+        topic == "/events" || (topic.ends_with("/haptic") && message.sequence >= steps);
+    return is_left_out ? std::nullopt : std::optional(std::string(message.data));
+  });
 }
 
 TEST(LiveWorld, ARecordingWhoseHapticStepsAreGoneIsNotIdentical) {

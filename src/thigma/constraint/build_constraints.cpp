@@ -49,33 +49,6 @@ void move_into_body(const ConstraintWorld& world, ContactRow& row) noexcept {
     row.object_direction = body_from_mesh.orientation._transformVector(row.object_direction);
 }
 
-/// The rows that are needed; where there are too many, for less travel. Returns how often it was
-/// halved.
-std::int32_t hand_over(const ConstraintWorld& world, ConstraintScratch& scratch,
-                       ConstraintModel& model) noexcept {
-  constexpr double kKept = 0.5;  // of the gap that is kept: what a step may leave of it
-  constexpr int kHalvings = 6;
-  model.rows.clear();
-  std::span<const std::int32_t> needed;
-  std::int32_t halvings = 0;
-  for (; halvings <= kHalvings; ++halvings) {
-    const RowBounds bounds{model.travel, world.reach, kKept * world.slop};
-    needed = halvings == 0
-                 ? needed_rows(scratch.found, model.state, bounds, kMaxRows, scratch.implied)
-                 : needed_again(bounds, kMaxRows, scratch.implied);
-    if (needed.size() <= kMaxRows) break;
-    model.travel *= 0.5;
-  }
-  // Too many even so: nearest first, none of the others is met before the first of them.
-  if (needed.size() > kMaxRows)
-    model.travel = std::min(model.travel, std::max(scratch.found[idx(needed.back())].gap, 0.0));
-  for (const std::int32_t row : needed) {
-    if (model.rows.size() == kMaxRows) break;
-    model.rows.push_back(scratch.found[idx(row)].row);
-  }
-  return halvings;
-}
-
 }  // namespace
 
 ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
@@ -114,6 +87,30 @@ RowReach row_reach(const ConstraintWorld& world, double travel) noexcept {
   return {travel, kChord * travel / world.reach};
 }
 
+std::int32_t take_needed_rows(std::span<const FoundRow> found, double slop, ImpliedScratch& scratch,
+                              ConstraintModel& model) noexcept {
+  constexpr double kKept = 0.5;  // of the gap that is kept: what a step may leave of it
+  constexpr int kHalvings = 6;
+  model.rows.clear();
+  std::span<const std::int32_t> needed;
+  std::int32_t halvings = 0;
+  for (; halvings <= kHalvings; ++halvings) {
+    const RowBounds bounds{model.travel, model.reach, kKept * slop};
+    needed = halvings == 0 ? needed_rows(found, model.state, bounds, kMaxRows, scratch)
+                           : needed_again(bounds, kMaxRows, scratch);
+    if (needed.size() <= kMaxRows) break;
+    model.travel *= 0.5;
+  }
+  // Too many even so: nearest first, none of the others is met before the first of them.
+  if (needed.size() > kMaxRows)
+    model.travel = std::min(model.travel, std::max(found[idx(needed.back())].gap, 0.0));
+  for (const std::int32_t row : needed) {
+    if (model.rows.size() == kMaxRows) break;
+    model.rows.push_back(found[idx(row)].row);
+  }
+  return halvings;
+}
+
 ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,
                                   const NearContacts& near, ConstraintScratch& scratch,
                                   ConstraintModel& model) noexcept {
@@ -131,7 +128,7 @@ ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState&
   stats.left_out += static_cast<std::int64_t>(near.relief.size() - relief.size());
   stats.rows = static_cast<std::int64_t>(scratch.found.size());
   for (FoundRow& found : scratch.found) move_into_body(world, found.row);
-  stats.halvings += hand_over(world, scratch, model);
+  stats.halvings += take_needed_rows(scratch.found, world.slop, scratch.implied, model);
   if (stats.left_out > 0) model.travel = 0.0;
   return stats;
 }

@@ -77,6 +77,16 @@ void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,
 /// Thread [contact].
 RowReach row_reach(const ConstraintWorld& world, double travel) noexcept;
 
+/// The rows that are needed into a model; where there are too many, for less travel.
+///
+/// found    of one state of the body; object points and directions in the frame of the body
+/// slop     the gap that is kept [m]
+/// model    its state, reach and travel are given; gets the rows, nearest first
+/// returns  how often its travel was halved
+/// Thread   [contact]; no failure
+std::int32_t take_needed_rows(std::span<const FoundRow> found, double slop, ImpliedScratch& scratch,
+                              ConstraintModel& model) noexcept;
+
 /// Rows for a body at a state, good for nearly as much travel as the query has looked ahead.
 /// model      overwritten; rows know their body and have no friction
 /// Thread     [contact]; no failure

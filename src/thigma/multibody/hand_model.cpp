@@ -180,8 +180,8 @@ HandPair pair_of(const Making& m, const NearPair& pair) noexcept {
   made.travel = pair.left_out > 0 ? 0.0 : pair.model.travel;
   made.reach = constraints.reach;
   made.slop = constraints.slop;
-  made.restitution = std::max(m.world.bodies[idx(pair.first)].restitution,
-                              m.world.bodies[idx(pair.second)].restitution);
+  made.restitution =
+      restitution_between(m.world.bodies[idx(pair.first)], m.world.bodies[idx(pair.second)]);
   return made;
 }
 

@@ -196,6 +196,10 @@ Friction friction_between(const WorldBody& a, const WorldBody& b) noexcept {
           std::sqrt(a.friction.at_rest * b.friction.at_rest)};
 }
 
+double restitution_between(const WorldBody& a, const WorldBody& b) noexcept {
+  return std::max(a.restitution, b.restitution);
+}
+
 double mechanical_energy(const World& world, const WorldState& state) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

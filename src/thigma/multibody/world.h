@@ -112,6 +112,9 @@ WorldState start_state(const World& world);
 /// Friction of two materials: the geometric mean. Thread: any.
 Friction friction_between(const WorldBody& a, const WorldBody& b) noexcept;
 
+/// Restitution of two materials: the larger. Thread: any.
+double restitution_between(const WorldBody& a, const WorldBody& b) noexcept;
+
 /// Sum over moving and held bodies of the kinetic energy and of what gravity has still to give,
 /// counted from the origin, and of what springs of joints hold [J]. Thread: any.
 double mechanical_energy(const World& world, const WorldState& state) noexcept;

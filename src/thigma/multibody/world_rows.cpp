@@ -41,7 +41,7 @@ WorldRow row_of(const detail::NearPair& pair, std::size_t number, const PairPlac
 
 }  // namespace
 
-std::size_t read_rows(const World&, const WorldState& state, const WorldScratch& scratch, double dt,
+std::size_t read_rows(const WorldState& state, const WorldScratch& scratch, double dt,
                       std::size_t most, std::vector<WorldRow>& rows) {
   rows.clear();
   for (const detail::NearPair* pair : scratch.pairs.near) {

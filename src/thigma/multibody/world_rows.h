@@ -29,7 +29,7 @@ struct WorldRow {
 /// rows            overwritten
 /// returns         how many there are in all
 /// Thread          [contact]; throws std::bad_alloc where rows grow
-std::size_t read_rows(const World& world, const WorldState& state, const WorldScratch& scratch,
-                      double dt, std::size_t most, std::vector<WorldRow>& rows);
+std::size_t read_rows(const WorldState& state, const WorldScratch& scratch, double dt,
+                      std::size_t most, std::vector<WorldRow>& rows);
 
 }  // namespace thigma

@@ -1,10 +1,9 @@
-#include <cstdio>
-
 #include <nlohmann/json.hpp>
 
 #include "thigma/core/error.h"
 #include "thigma/core/one_line.h"
 #include "thigma/files/byte_source.h"
+#include "thigma/recording/detail/cut_text.h"
 #include "thigma/recording/detail/recorded_messages.h"
 #include "thigma/recording/mcap_file.h"
 #include "thigma/recording/recording.h"
@@ -14,17 +13,6 @@ namespace {
 
 using detail::BegunSamples;
 using Json = nlohmann::json;
-
-/// Where what was cut off ends, in one line.
-std::string cut_text(const RecordingInfo& recording, const McapScan& file) {
-  const std::string why = !file.cut.empty() ? file.cut : "the session went on";
-  char text[160];
-  std::snprintf(text, sizeof text, "the recording ends at %.3f s, %llu frames, byte %llu of %llu: ",
-                recording.last_time, static_cast<unsigned long long>(recording.frame_count),
-                static_cast<unsigned long long>(file.end),
-                static_cast<unsigned long long>(file.size));
-  return text + why;
-}
 
 std::string where_text(const std::string& path, const std::string& topic,
                        const McapMessage& message) {
@@ -122,7 +110,7 @@ RecordingInfo stream(ByteSource& source, const std::string& path, const Recordin
   }
   assembly.finish();
   if (!info.has_end || !scan.cut.empty()) {
-    info.cut_off = cut_text(info, scan);
+    info.cut_off = detail::cut_text(info.last_time, info.frame_count, scan);
     info.warnings.push_back(info.cut_off);
   }
   return std::move(info);

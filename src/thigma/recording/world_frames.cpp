@@ -1,7 +1,6 @@
 #include "thigma/recording/world_frames.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "thigma/core/error.h"
 #include "thigma/core/one_line.h"
 #include "thigma/files/byte_source.h"
+#include "thigma/recording/detail/cut_text.h"
 #include "thigma/recording/detail/world_messages.h"
 #include "thigma/recording/mcap_file.h"
 
@@ -195,18 +195,6 @@ struct Assembly {
   }
 };
 
-/// Where what was cut off ends, in one line.
-std::string cut_text(const WorldRecordingPass& pass, const McapScan& file) {
-  const std::string why = !file.cut.empty() ? file.cut : "the session went on";
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the recording ends at %.3f s, %llu frames, byte %llu of %llu: ", pass.last_time,
-                static_cast<unsigned long long>(pass.frame_count),
-                static_cast<unsigned long long>(file.end),
-                static_cast<unsigned long long>(file.size));
-  return text + why;
-}
-
 /// Errors of the parser and of messages, by the file's name.
 McapScan scan(ByteSource& source, const std::string& path, Assembly& assembly) {
   try {
@@ -235,7 +223,7 @@ WorldRecordingPass stream(ByteSource& source, const std::string& path,
   pass.info = static_cast<const WorldRecordingInfo&>(assembly.said);
   pass.warnings = std::move(file.warnings);
   if (!pass.info.has_end || !file.cut.empty()) {
-    pass.cut_off = cut_text(pass, file);
+    pass.cut_off = detail::cut_text(pass.last_time, pass.frame_count, file);
     pass.warnings.push_back(pass.cut_off);
   }
   return pass;

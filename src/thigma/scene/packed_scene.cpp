@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using detail::kSceneFile;
-
 /// A scene from elsewhere names its own files alone, and moves nothing by itself.
 void confine(SceneDescription& scene, const std::string& path, const std::string& folder) {
   with_files(scene, [&](const std::string& file) {
@@ -70,12 +68,7 @@ bool is_packed_scene(const std::string& path) {
 }
 
 SceneDescription read_packed_scene(const std::string& path, const std::string& folder) {
-  const std::vector<McapAttachment> files = detail::packed_files_of(path);
-  if (!detail::has_scene(files))
-    throw InputError(path + ": no scene in it, expected an attachment scene.toml");
-  detail::unpack(files, path, folder);
-  const std::string text = read_file((fs::path(folder) / kSceneFile).string());
-  SceneDescription scene = parse_scene(text, path, folder);
+  SceneDescription scene = parse_scene(detail::unpack_scene(path, folder), path, folder);
   confine(scene, path, folder);
   scene.repairs = true;
   return scene;

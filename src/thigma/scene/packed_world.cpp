@@ -1,10 +1,8 @@
 #include "thigma/scene/packed_world.h"
 
-#include <filesystem>
 #include <sstream>
 
 #include "thigma/core/error.h"
-#include "thigma/files/file.h"
 #include "thigma/scene/detail/packed_files.h"
 #include "thigma/scene/detail/toml_table.h"
 
@@ -49,12 +47,7 @@ bool has_packed_world(const std::string& path) {
 }
 
 WorldSceneDescription read_packed_world(const std::string& path, const std::string& folder) {
-  const std::vector<McapAttachment> files = detail::packed_files_of(path);
-  if (!detail::has_scene(files))
-    throw InputError(path + ": no scene in it, expected an attachment scene.toml");
-  detail::unpack(files, path, folder);
-  const std::string scene_file = (std::filesystem::path(folder) / detail::kSceneFile).string();
-  WorldSceneDescription scene = parse_world_scene(read_file(scene_file), path, folder);
+  WorldSceneDescription scene = parse_world_scene(detail::unpack_scene(path, folder), path, folder);
   for (const auto& [given, file] : scene.files) detail::check_brought(file, path, folder);
   for (WorldSceneDevice& device : scene.devices) device.uri = detail::confined_device(device.uri);
   return scene;

@@ -217,16 +217,20 @@ StartPlacement place_at_start(const std::optional<Vec3>& approach, SessionConfig
   return start;
 }
 
-DeviceContext device_context(const SessionConfig& config, const StartPlacement& start,
+DeviceContext device_context(const Workspace& workspace, const Vec3& approach, double clearance,
                              double object_radius, std::uint64_t seed) {
-  const Workspace& workspace = config.haptic.workspace;
   DeviceContext context;
-  context.approach =
-      workspace.world_from_device.orientation.conjugate()._transformVector(start.approach);
-  context.clearance = start.clearance / workspace.motion_scale;
+  context.approach = workspace.world_from_device.orientation.conjugate()._transformVector(approach);
+  context.clearance = clearance / workspace.motion_scale;
   context.object_radius = object_radius / workspace.motion_scale;
   context.seed = seed;
   return context;
+}
+
+DeviceContext device_context(const SessionConfig& config, const StartPlacement& start,
+                             double object_radius, std::uint64_t seed) {
+  return device_context(config.haptic.workspace, start.approach, start.clearance, object_radius,
+                        seed);
 }
 
 }  // namespace thigma

@@ -45,7 +45,11 @@ StartPlacement place_at_start(const std::optional<Vec3>& approach, SessionConfig
 
 /// What a simulated hand is told of the scene, in the device's frame and lengths.
 ///
+/// approach       from the object towards the scene, any length > 0 [world]
+/// clearance      until they meet along it [m; virtual]
 /// object_radius  [m; virtual]
+DeviceContext device_context(const Workspace& workspace, const Vec3& approach, double clearance,
+                             double object_radius, std::uint64_t seed);
 DeviceContext device_context(const SessionConfig& config, const StartPlacement& start,
                              double object_radius, std::uint64_t seed = 1);
 

@@ -17,6 +17,7 @@
 #include "thigma/scene/detail/toml_table.h"
 #include "thigma/scene/detail/world_joints.h"
 #include "thigma/scene/scene_file.h"
+#include "thigma/scene/start_placement.h"
 
 namespace thigma {
 namespace {
@@ -377,17 +378,6 @@ const std::string& uri_of(const LoadedWorld& world, const std::vector<std::strin
   return is_asked ? uris[i] : world.description.devices[i].uri;
 }
 
-DeviceContext context_of(const WorldSceneDevice& given, double radius, std::uint64_t seed) {
-  const Workspace& workspace = given.workspace;
-  DeviceContext context;
-  context.approach =
-      workspace.world_from_device.orientation.conjugate()._transformVector(given.approach);
-  context.clearance = given.clearance / workspace.motion_scale;
-  context.object_radius = radius / workspace.motion_scale;
-  context.seed = seed;
-  return context;
-}
-
 }  // namespace
 
 void use_clutches(const std::vector<std::string>& uris, LoadedWorld& world) {
@@ -408,8 +398,9 @@ WorldDevices open_world_devices(const LoadedWorld& world, const std::vector<std:
     const std::string& uri = uri_of(world, uris, i);
     if (!has_watchdog) refuse_people(uri);
     const double radius = world.hierarchies[idx(world.config.hands[i].body)]->radius;
-    devices.owned.push_back(
-        open_device(uri, context_of(world.description.devices[i], radius, seed + i)));
+    const WorldSceneDevice& given = world.description.devices[i];
+    devices.owned.push_back(open_device(
+        uri, device_context(given.workspace, given.approach, given.clearance, radius, seed + i)));
     devices.list.push_back(devices.owned.back().get());
   }
   return devices;

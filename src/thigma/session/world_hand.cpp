@@ -114,9 +114,9 @@ DeviceState GripDevice::read(double now) THIGMA_RT {
 }
 
 WorldHandLoop::WorldHandLoop(const WorldHand& config, HapticDevice& of, double rate)
-    : device(of, config.is_free || config.has_clutch),
+    : device(of, config.may_let_go()),
       is_free(config.is_free),
-      has_clutch(config.is_free || config.has_clutch),
+      has_clutch(config.may_let_go()),
       period(1.0 / rate) {
   params.workspace = config.workspace;
   params.safety = config.limits;

@@ -31,8 +31,7 @@ void add_frame(const WorldState& state, const detail::SessionHands& hands,
                StateHash& hash) noexcept {
   for (const BodyState& y : state.bodies) add_state(y, hash);
   for (std::size_t i = 0; i < hands.list.size(); ++i) {
-    const WorldHand& hand = *hands.list[i].config;
-    if ((hand.is_free || hand.has_clutch) && !hands.list[i].is_holding) continue;
+    if (hands.list[i].config->may_let_go() && !hands.list[i].is_holding) continue;
     add_vector(hash, hands.commands[i].force);
     add_vector(hash, hands.commands[i].torque);
   }

@@ -41,6 +41,9 @@ struct WorldHand {
   // It holds `body` only while its clutch is closed, each time at the same place of it, as people
   // do. A device that is lost is a fault.
   bool has_clutch = false;
+
+  /// Whether there are times at which it holds nothing.
+  bool may_let_go() const noexcept { return is_free || has_clutch; }
 };
 
 /// What a world session is.

@@ -112,8 +112,7 @@ std::int32_t list_bounces(const Hit& hit) {
     if (!has_met(hit.part, row, source)) continue;
     const NearPair& pair = *s.pairs.near[idx(source.pair)];
     const auto& bodies = hit.part.world.bodies;
-    const double e =
-        std::max(bodies[idx(pair.first)].restitution, bodies[idx(pair.second)].restitution);
+    const double e = restitution_between(bodies[idx(pair.first)], bodies[idx(pair.second)]);
     if (!(e > 0.0)) continue;
     const double share = speed_share(hit, row, source);
     if (!(share > 0.0)) continue;

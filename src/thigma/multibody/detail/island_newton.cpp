@@ -253,13 +253,14 @@ int minimize(IslandWork& work, double enough, int most) noexcept {
       search_downhill(work);
       next = size_of(work, s.trial_gradient);
     }
-    // Rounding: nothing is won any more.
-    if (!(next < size) && size <= 1e3 * enough) break;
+    if (!(next < size) && size <= 1e3 * enough) {  // rounding: nothing is won any more
+      evaluate(work, s.velocity, s.gradient);      // of the forces, those of the last step's end
+      break;
+    }
     std::swap(s.velocity, s.trial);
     std::swap(s.gradient, s.trial_gradient);
     size = next;
   }
-  evaluate(work, s.velocity, s.gradient);  // the forces there
   return steps;
 }
 

@@ -77,8 +77,10 @@ bool has_scene(const std::vector<McapAttachment>& files) {
                      [](const McapAttachment& file) { return file.name == kSceneFile; });
 }
 
-void unpack(const std::vector<McapAttachment>& files, const std::string& path,
-            const std::string& folder) {
+std::string unpack_scene(const std::string& path, const std::string& folder) {
+  const std::vector<McapAttachment> files = packed_files_of(path);
+  if (!has_scene(files))
+    throw InputError(path + ": no scene in it, expected an attachment scene.toml");
   std::error_code ignored;
   fs::create_directory(fs::path(folder) / "assets", ignored);
   std::set<std::string> names;
@@ -93,6 +95,7 @@ void unpack(const std::vector<McapAttachment>& files, const std::string& path,
       throw InputError(path + ": two attachments '" + file.name + "', expected one of each name");
     write_file((fs::path(folder) / file.name).string(), file.data);
   }
+  return read_file((fs::path(folder) / kSceneFile).string());
 }
 
 void check_brought(const std::string& file, const std::string& path, const std::string& folder) {

@@ -37,9 +37,9 @@ void write_packed_files(const std::string& path, const std::vector<McapAttachmen
 std::vector<McapAttachment> packed_files_of(const std::string& path);
 bool has_scene(const std::vector<McapAttachment>& files);
 
-/// Writes them to a folder; InputError for names that lead out of it. Thread [offline].
-void unpack(const std::vector<McapAttachment>& files, const std::string& path,
-            const std::string& folder);
+/// Writes what a file carries to a folder, and returns the text of its scene. Thread [offline];
+/// InputError where it has none, and for names that lead out of the folder.
+std::string unpack_scene(const std::string& path, const std::string& folder);
 
 /// InputError where a scene from elsewhere names a file that it does not bring.
 void check_brought(const std::string& file, const std::string& path, const std::string& folder);

@@ -92,7 +92,7 @@ void move(double now, double dt, const WorldState& state, SessionHand& hand) {
   }
   if (!check_device(hand.config->limits, hand.sample, now, dt, hand.safety)) return;
   if (hand.sample.status == DeviceStatus::not_ready) return;
-  if (hand.config->is_free || hand.config->has_clutch)
+  if (hand.config->may_let_go())
     move_free(state, hand);
   else
     move_tied(state, hand);
@@ -101,7 +101,7 @@ void move(double now, double dt, const WorldState& state, SessionHand& hand) {
 /// Sends what the hand feels, and counts it.
 Wrench write(const WorldState& state, SessionHand& hand, WorldHandSummary& summary) {
   if (!hand.is_holding) {
-    if (hand.config->is_free || hand.config->has_clutch) hand.device->write({});
+    if (hand.config->may_let_go()) hand.device->write({});
     return {};
   }
   const HandHold& hold = hand.hold;
