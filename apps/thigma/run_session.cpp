@@ -33,6 +33,7 @@ void apply_options(const RunOptions& options, SceneDescription& scene) {
   if (!options.device.empty()) scene.device.uri = options.device;
   if (options.rate) scene.rate = *options.rate;
   apply(options.resolution, scene.contact.resolution);
+  if (options.resolution.carry) scene.contact.carry = options.resolution.carry;
   if (options.has_no_blend) scene.contact.resolution.interpolates = false;
   if (const auto response = response_of(options.response)) {
     scene.contact.response = *response;

@@ -74,8 +74,23 @@ TEST(ConstrainedResponse, PressedByAHandTheJawsDoNotEnterEachOther) {
 Scene jaws_that_carry(double carry) {
   SceneDescription scene = test::small_jaws();
   scene.contact.response = ResponseKind::constrained;
-  scene.contact.resolution.carry = carry;
+  scene.contact.carry = carry;
   return load_scene(std::move(scene));
+}
+
+TEST(ConstrainedResponse, CarriesContactsUnlessAskedNotTo) {
+  SceneDescription scene = test::small_jaws();
+  const auto carried = [&] { return load_scene(scene).config.contact.resolution.carry; };
+  scene.contact.response = ResponseKind::constrained;
+  EXPECT_EQ(carried(), 0.1);
+  scene.contact.carry = 0.0;
+  EXPECT_EQ(carried(), 0.0);
+  scene.contact.carry.reset();
+  scene.contact.resolution.carry = 0.3;
+  EXPECT_EQ(carried(), 0.3);
+  scene.contact.resolution.carry = 0.0;
+  scene.contact.response = ResponseKind::coupled;
+  EXPECT_EQ(carried(), 0.0);
 }
 
 TEST(ConstrainedResponse, NorDoTheyWhereContactsAreCarried) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thigma/constraint/detail/pair_lists.h"
 #include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
 #include "thigma/core/index.h"
@@ -45,8 +46,14 @@ void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const Surf
   scratch.planes.reserve(capacity);
   scratch.near_edges.reserve(capacity);
   scratch.near_cones.reserve(capacity);
+  scratch.listed.reserve(capacity);
   scratch.near_object.reserve(detail::kMostNear);
   scratch.near_scene.reserve(detail::kMostNear);
+}
+
+void reserve_pair_lists(RowScratch& scratch) {
+  constexpr std::size_t kLists = 8192;  // eight times the contacts of a busy frame
+  scratch.lists.resize(kLists);
 }
 
 std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
@@ -57,6 +64,7 @@ std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
   empty(scratch.object);
   empty(scratch.scene);
   scratch.met.clear();
+  detail::begin_lists(contacts.size(), scratch);
   scratch.slabs.clear();
   for (const Contact& contact : contacts) {
     if (!has_features(pair, contact)) continue;
@@ -64,8 +72,7 @@ std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
       ++search.left_out;
       break;
     }
-    scratch.slabs.push_back(detail::find_slab(search, contact));
-    detail::gather_vertices(search, contact, scratch.slabs.back(), scratch);
+    scratch.slabs.push_back(detail::gather_vertices(search, contact, scratch));
   }
   detail::search_vertices(search, scratch, rows);
   std::size_t next = 0;

@@ -2,6 +2,7 @@
 // From exact contacts to rows: inequalities that keep two surfaces apart wherever the object goes
 // within a reach, and forbid as little else as can be.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -99,6 +100,21 @@ struct RowScratch {
     std::int32_t edge = -1;
     Vec3 direction = Vec3::Zero(), into_left = Vec3::Zero(), into_right = Vec3::Zero();
   };
+  struct FeaturePair {  // of two patches: a vertex and a triangle, or two edges
+    std::int32_t of_object = -1, of_scene = -1;
+  };
+  // What may touch of two patches, as of where they were then: it holds until they have moved.
+  struct PairList {
+    const SurfaceFeatures *object = nullptr, *scene = nullptr;
+    std::int32_t body = -1, object_patch = -1, scene_patch = -1;
+    std::array<std::uint8_t, 3> ends{};  // in `pairs`, of each kind of PairKind
+    bool is_full = false;                // there were too many: none are listed
+    std::int64_t checked = -1;           // call that has found it to hold
+    Vec3 center = Vec3::Zero();          // of the object's patch [m; scene's mesh frame]
+    Quat scene_from_object = Quat::Identity();
+    double travel = 0.0, slack = 0.0;  // of the pairs listed [m, sine]
+    std::array<FeaturePair, 32> pairs{};
+  };
   VertexSide object, scene;                           // vertices of the object, and of the scene
   std::vector<Slab> slabs;                            // of the contacts, in their order
   std::vector<EdgePair> met;                          // pairs with a row of their own, sorted
@@ -106,12 +122,21 @@ struct RowScratch {
   std::vector<NearEdge> near_edges;                   // of the scene's
   std::vector<EdgeCone> near_cones;                   // of the same
   std::vector<std::int32_t> planes;  // that the scene's patch of a pair lies behind
+  std::vector<FeaturePair> listed;   // of a pair of patches without a list
+  std::vector<PairList> lists;       // by a hash of the patches, 2^n of them; none: none are kept
+  std::int64_t calls = 0, lists_used = 0, lists_made = 0, most_made = 0;
 };
 
 /// Room for vertices of either surface and so many candidates.
 /// Thread [offline]; throws std::bad_alloc.
 void reserve_rows(RowScratch& scratch, const SurfaceFeatures& object, const SurfaceFeatures& scene,
                   std::size_t capacity);
+
+/// Room for lists of what may touch, so that pairs of patches that have hardly moved are not
+/// searched anew. The rows are the same, bit for bit. For one object among bodies with indices of
+/// their own; more than these lists only takes longer.
+/// Thread [offline]; throws std::bad_alloc.
+void reserve_pair_lists(RowScratch& scratch);
 
 /// Rows between the object and one body of the scene, appended to `rows`.
 ///

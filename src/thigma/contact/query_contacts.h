@@ -25,8 +25,7 @@ struct ContactQuery {
   // Exact, or with Resolution::exact_within: where no closed form has the distance of two patches
   // whose hulls are apart, the contact has that of the hulls, not of the triangles. It is no
   // farther than they are, so that more may be reported, never less; no such pair counts as
-  // through, its `bound` says nothing, and nothing is carried. For rows, which look at the features
-  // themselves
+  // through, and its `bound` says nothing. For rows, which look at the features themselves
   bool measures_hulls = false;
   Resolution resolution{};  // exact unless asked otherwise
 };

@@ -111,6 +111,7 @@ void reserve_contact_scratch(const ContactWorld& world, ContactScratch& scratch)
   if (world.constraints) {
     if (!scratch.constraints) scratch.constraints = std::make_shared<ConstraintScratch>();
     reserve_constraints(*world.constraints, world.capacity, *scratch.constraints);
+    reserve_pair_lists(scratch.constraints->rows);
     if (has_levels_far(world)) scratch.constraints->coarse.reserve(world.capacity);
     if (!world.textures.is_empty())
       reserve_relief(world.textures, world.capacity, scratch.constraints->relief);
@@ -215,6 +216,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
   else if (world.textures.is_empty())  // rows ask contacts which patches are near, no more
     query.resolution.carry = world.resolution.carry;
+  query.measures_hulls = world.textures.is_empty();
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);

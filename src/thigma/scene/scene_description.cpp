@@ -87,6 +87,14 @@ double combined(double a, double b, CombineRule rule) {
   return std::max(a, b);
 }
 
+/// Rows ask contacts which patches are near, no more: they say the same where contacts are carried.
+double carried_share(const ContactGains& contact) {
+  constexpr double kForRows = 0.1;
+  const double asked = contact.resolution.carry;
+  const bool has_rows = contact.response == ResponseKind::constrained;
+  return contact.carry.value_or(has_rows && asked == 0.0 ? kForRows : asked);
+}
+
 }  // namespace
 
 Friction combined(const Friction& a, const Friction& b, CombineRule rule) {
@@ -262,6 +270,7 @@ SessionConfig make_session_config(const SceneDescription& given, const ObjectMea
   config.contact.response.is_divided_among_clusters = scene.contact.is_divided_among_clusters;
   config.contact.distributes_wide_contacts = scene.contact.distributes_wide_contacts;
   config.contact.resolution = scene.contact.resolution;
+  config.contact.resolution.carry = carried_share(scene.contact);
   config.contact.friction = pair_friction(scene);
   config.contact.textures.params = scene.contact.texture;
   const double ratio = scene.contact.damping_ratio.value_or(gains.contact_damping_ratio);

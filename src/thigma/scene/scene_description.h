@@ -75,6 +75,9 @@ struct ContactGains {
   bool distributes_wide_contacts = true;
   Resolution resolution{.is_exact = false};  // levels of detail at s0 = 2.5 %
   std::optional<ResponseKind> response;      // not set: default_response
+  // Contacts are carried along by this share of the look-ahead (Resolution::carry). Not set: as
+  // `resolution` says, or, with the constrained response, a tenth
+  std::optional<double> carry;
   // The constrained response is exact unless this asks for levels far away, at `resolution`.
   bool has_levels_far = false;
   Friction friction{};                           // of objects without a material

@@ -186,7 +186,6 @@ void read_resolution(TomlTable& table, Resolution& resolution) {
   resolution.interpolates = table.truth("interpolated").value_or(resolution.interpolates);
   if (const auto reading = table.choice("support", {"one_ring", "flood", "patch"}))
     resolution.reading = static_cast<SupportReading>(*reading);
-  resolution.carry = table.number("carry", Range::not_negative).value_or(resolution.carry);
   const std::optional<double> budget_us = table.number("budget_us", Range::not_negative);
   resolution.budget_cpu = budget_us ? 1e-6 * *budget_us : resolution.budget_cpu;
   resolution.budget_tests = table.whole("budget_tests", 0, 1'000'000'000)
@@ -205,6 +204,7 @@ void read_contact(TomlTable table, ContactGains& contact) {
   contact.distributes_wide_contacts =
       table.truth("spread").value_or(contact.distributes_wide_contacts);
   read_resolution(table, contact.resolution);
+  contact.carry = table.number("carry", Range::not_negative);
   std::vector<std::string> responses;
   for (const ResponseName& known : kResponseNames) responses.emplace_back(known.name);
   if (const auto response = table.choice("response", responses))

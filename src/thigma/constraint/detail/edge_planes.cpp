@@ -64,6 +64,18 @@ bool is_kept(const VertexSide& side, std::int32_t vertex, std::int32_t plane, do
   return height > reach || is_member(side, vertex, plane);
 }
 
+bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
+                           std::span<const std::int32_t> planes, const ConvexEdge& edge,
+                           const Vec3& tail, const Vec3& head) noexcept {
+  for (const std::int32_t i : planes) {
+    const GuardPlane& plane = side.planes[idx(i)];
+    if (is_kept(side, edge.tail, i, plane.height(tail), search.reach.travel) &&
+        is_kept(side, edge.head, i, plane.height(head), search.reach.travel))
+      return true;
+  }
+  return false;
+}
+
 bool is_kept_apart(RowSearch& search, const EdgeEnds& ends, double distance, VertexSide& side,
                    std::vector<FoundRow>& rows) noexcept {
   const double least = least_shared(search, distance);

@@ -1,6 +1,7 @@
 #pragma once
 // Planes that keep two edges apart: the one lies behind, both ends of the other are kept in front.
 
+#include <span>
 #include <vector>
 
 #include "thigma/constraint/detail/row_search.h"
@@ -29,6 +30,14 @@ struct EdgeGuard {
 /// Whether a vertex needs no row with a plane: it has one, or is higher over it than it may come.
 bool is_kept(const VertexSide& side, std::int32_t vertex, std::int32_t plane, double height,
              double reach) noexcept;
+
+/// Whether one plane that the whole other patch lies behind keeps both ends of an edge.
+///
+/// planes      of the side, that the patch lies behind
+/// tail, head  of the edge, where they are [frame of the planes; m]
+bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
+                           std::span<const std::int32_t> planes, const ConvexEdge& edge,
+                           const Vec3& tail, const Vec3& head) noexcept;
 
 /// Whether a plane that there is keeps the edges apart: both ends have a row with it or do not
 /// reach it. Ends that are high over a plane of others take it as theirs (least_shared).

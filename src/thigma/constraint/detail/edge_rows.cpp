@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/constraint/detail/edge_cones.h"
 #include "thigma/constraint/detail/edge_planes.h"
 #include "thigma/constraint/detail/feature_distance.h"
+#include "thigma/constraint/detail/pair_lists.h"
 #include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
 #include "thigma/core/index.h"
@@ -37,24 +39,16 @@ struct PlacedPair {
 bool may_touch(const RowSearch& search, const ConvexEdge& e, const RowScratch::EdgeCone& f,
                int& sign) noexcept {
   const Vec3 cross = e.direction.cross(f.direction);
-  const double sine = cross.norm();
-  if (sine < kParallel) return false;
-  // Turning by an angle turns the normal by that and by as much over the sine.
-  const double slack = search.cone_slack * (1.0 + sine);
-  const double out_left = cross.dot(e.into_left), out_right = cross.dot(e.into_right);
-  const double in_left = cross.dot(f.into_left), in_right = cross.dot(f.into_right);
-  const bool plus =
-      out_left <= slack && out_right <= slack && in_left >= -slack && in_right >= -slack;
-  const bool minus =
-      out_left >= -slack && out_right >= -slack && in_left <= slack && in_right <= slack;
+  const ConesMeet cones = meet(cross, e, f, search.cone_slack);
+  if (cones.sine < kParallel) return false;
   // Where turning may make either true: the sign that points out of the one and into the other.
   const auto points_out = [&] {
     const Vec3& outward = search.scene.features->edges[idx(f.edge)].outward;
     return cross.dot(e.outward - search.object_from_scene.orientation._transformVector(outward)) >=
            0.0;
   };
-  sign = plus && (!minus || points_out()) ? 1 : -1;
-  return plus || minus;
+  sign = cones.plus && (!cones.minus || points_out()) ? 1 : -1;
+  return cones.plus || cones.minus;
 }
 
 /// Places the edges; whether they are within reach of each other.
@@ -166,13 +160,9 @@ bool has_line_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row
   return row.gap > 0.0 && may_keep(search, row.gap, pair.distance);
 }
 
-/// Rows of two edges of which `pair` has the object's where it is.
-void consider(RowSearch& search, PlacedPair pair, const RowScratch::EdgeCone& f,
-              RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
-  const ConvexEdge& e = search.object.features->edges[idx(pair.object)];
-  if (!may_touch(search, e, f, pair.sign)) return;
-  pair.scene = f.edge;
-  if (!place(search, pair)) return;
+/// Rows of two edges that may touch, where they are.
+void consider(RowSearch& search, const PlacedPair& pair, RowScratch& scratch,
+              std::vector<FoundRow>& rows) noexcept {
   const EdgeEnds of_object = object_ends(search, pair), of_scene = scene_ends(search, pair);
   if (is_kept_apart(search, of_object, pair.distance, scratch.object, rows)) return;
   if (is_kept_apart(search, of_scene, pair.distance, scratch.scene, rows)) return;
@@ -220,86 +210,85 @@ void find_planes(const RowSearch& search, std::int32_t patch, RowScratch& scratc
   }
 }
 
-/// Whether an edge is within reach of a ball.
-bool is_in_reach(const Vec3& middle, double half, const PatchBall& ball, double travel) noexcept {
-  const double balls = half + ball.radius + travel;
-  return (middle - ball.center).squaredNorm() <= balls * balls;
+/// One contact's edges.
+struct EdgeSearch {
+  const Contact& contact;
+  Mat3 scene_from_object, object_from_scene;  // rotations
+  Slab slab;                                  // none: of no axis
+  bool has_planes = false;
+  std::int32_t object = -1;                   // edge that was looked at last
+  bool is_asked = false, is_guarded = false;  // of it, by those planes
+};
+
+void find_patch_planes(const RowSearch& search, EdgeSearch& edges, RowScratch& scratch) noexcept {
+  if (edges.has_planes) return;
+  if (edges.slab.object_axis.isZero(0.0))
+    edges.slab = find_slab(search, edges.contact, search.reach.travel);
+  keep_near(*search.object.features, edges.contact.object_patch, edges.slab.object_axis,
+            edges.slab.object_least, scratch.near_object);
+  find_planes(search, edges.contact.scene_patch, scratch);
+  edges.has_planes = true;
 }
 
-/// Whether one plane that the whole other patch lies behind keeps both ends of an edge.
-bool is_guarded_from_patch(const RowSearch& search, const VertexSide& side,
-                           std::span<const std::int32_t> planes, const ConvexEdge& edge,
-                           const Vec3& tail, const Vec3& head) noexcept {
-  for (const std::int32_t i : planes) {
-    const GuardPlane& plane = side.planes[idx(i)];
-    if (is_kept(side, edge.tail, i, plane.height(tail), search.reach.travel) &&
-        is_kept(side, edge.head, i, plane.height(head), search.reach.travel))
-      return true;
-  }
-  return false;
+/// What planes keep from the whole patch. With a list it is asked where two edges are within reach,
+/// which few are.
+bool is_guarded(const RowSearch& search, const PlacedPair& pair, EdgeSearch& edges,
+                RowScratch& scratch) noexcept {
+  if (edges.is_asked) return edges.is_guarded;
+  find_patch_planes(search, edges, scratch);
+  edges.is_asked = true;
+  edges.is_guarded = is_guarded_from_patch(search, scratch.object, scratch.planes,
+                                           search.object.features->edges[idx(pair.object)],
+                                           pair.object_tail, pair.object_head);
+  return edges.is_guarded;
 }
 
-/// Edges of the scene's patch that the object's may reach.
-void gather_edges(const RowSearch& search, const Contact& contact, const Slab& slab,
-                  RowScratch& scratch) noexcept {
-  const SurfaceFeatures& b = *search.scene.features;
-  PatchBall of_a = search.object.features->patch_balls[idx(contact.object_patch)];
-  of_a.center = transform_point(search.scene_from_object, of_a.center);
-  const Mat3 rotation = search.object_from_scene.orientation.toRotationMatrix();
-  scratch.near_edges.clear();
-  scratch.near_cones.clear();
-  for (const std::int32_t k : part_of(b.patch_edges, b.first_edge, contact.scene_patch)) {
-    const ConvexEdge& f = b.edges[idx(k)];
-    if (!is_in_reach(f.middle, f.half, of_a, search.reach.travel)) continue;
-    const double least = std::min(slab.scene_axis.dot(b.vertices[idx(f.tail)]),
-                                  slab.scene_axis.dot(b.vertices[idx(f.head)]));
-    if (least > slab.scene_most || scratch.near_edges.size() == scratch.near_edges.capacity())
-      continue;
-    scratch.near_edges.push_back({f.middle, f.half, least});
-    scratch.near_cones.push_back(
-        {k, rotation * f.direction, rotation * f.into_left, rotation * f.into_right});
+/// The pairs that may touch: listed, or looked for now.
+std::span<const RowScratch::FeaturePair> find_pairs(RowSearch& search, EdgeSearch& edges,
+                                                    RowScratch& scratch) noexcept {
+  if (const RowScratch::PairList* list = find_list(search, edges.contact, scratch))
+    return pairs_of(*list, PairKind::edges);
+  if (edges.slab.object_axis.isZero(0.0))
+    edges.slab = find_slab(search, edges.contact, search.reach.travel);
+  scratch.listed.clear();
+  const PairReach reach = exact_reach(search);
+  if (!gather_edges(search, edges.contact, edges.slab, reach, scratch)) return {};
+  find_patch_planes(search, edges, scratch);
+  list_edges(search, edges.contact, edges.slab, reach, scratch.planes, scratch);
+  return scratch.listed;
+}
+
+void search_pair(RowSearch& search, const RowScratch::FeaturePair& listed, EdgeSearch& edges,
+                 RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {
+  const SurfaceFeatures &a = *search.object.features, &b = *search.scene.features;
+  if (edges.object != listed.of_object) {
+    edges.object = listed.of_object;
+    edges.is_asked = false;
+  } else if (edges.is_asked && edges.is_guarded) {
+    return;
   }
+  const ConvexEdge &e = a.edges[idx(listed.of_object)], &f = b.edges[idx(listed.of_scene)];
+  PlacedPair pair;
+  pair.object = listed.of_object;
+  pair.scene = listed.of_scene;
+  if (!may_touch(search, e, cone_of(f, pair.scene, edges.object_from_scene), pair.sign)) return;
+  const Vec3& position = search.scene_from_object.position;
+  pair.object_tail = edges.scene_from_object * a.vertices[idx(e.tail)] + position;
+  pair.object_head = edges.scene_from_object * a.vertices[idx(e.head)] + position;
+  if (!place(search, pair) || is_guarded(search, pair, edges, scratch)) return;
+  consider(search, pair, scratch, rows);
 }
 
 }  // namespace
 
 void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, RowScratch& scratch,
                   std::vector<FoundRow>& rows) noexcept {
-  const SurfaceFeatures& a = *search.object.features;
-  gather_edges(search, contact, slab, scratch);
-  if (scratch.near_edges.empty()) return;
-  keep_near(a, contact.object_patch, slab.object_axis, slab.object_least, scratch.near_object);
-  find_planes(search, contact.scene_patch, scratch);
-  const double travel = search.reach.travel;
-  const PatchBall& of_b = search.scene.features->patch_balls[idx(contact.scene_patch)];
-  const Mat3 rotation = search.scene_from_object.orientation.toRotationMatrix();
-  const double object_least =
-      slab.object_least + slab.scene_axis.dot(search.scene_from_object.position);
-  const auto placed = [&](const Vec3& point) -> Vec3 {
-    return rotation * point + search.scene_from_object.position;
-  };
-  for (const std::int32_t i : part_of(a.patch_edges, a.first_edge, contact.object_patch)) {
-    const ConvexEdge& e = a.edges[idx(i)];
-    const Vec3 middle = placed(e.middle);
-    if (!is_in_reach(middle, e.half, of_b, travel)) continue;
-    PlacedPair pair;
-    pair.object = i;
-    pair.object_tail = placed(a.vertices[idx(e.tail)]);
-    pair.object_head = placed(a.vertices[idx(e.head)]);
-    const double front =
-        std::max(slab.scene_axis.dot(pair.object_tail), slab.scene_axis.dot(pair.object_head));
-    if (front < object_least) continue;
-    if (is_guarded_from_patch(search, scratch.object, scratch.planes, e, pair.object_tail,
-                              pair.object_head))
-      continue;
-    const double reach = e.half + travel;
-    for (std::size_t k = 0; k < scratch.near_edges.size(); ++k) {
-      const RowScratch::NearEdge& f = scratch.near_edges[k];
-      const double balls = reach + f.half;
-      if (f.least > front + travel || (middle - f.middle).squaredNorm() > balls * balls) continue;
-      consider(search, pair, scratch.near_cones[k], scratch, rows);
-    }
-  }
+  EdgeSearch edges{.contact = contact, .slab = slab};
+  const auto pairs = find_pairs(search, edges, scratch);
+  if (pairs.empty()) return;
+  edges.scene_from_object = search.scene_from_object.orientation.toRotationMatrix();
+  edges.object_from_scene = search.object_from_scene.orientation.toRotationMatrix();
+  for (const RowScratch::FeaturePair& pair : pairs) search_pair(search, pair, edges, scratch, rows);
 }
 
 }  // namespace thigma::detail

@@ -50,7 +50,7 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   return search;
 }
 
-Slab find_slab(const RowSearch& search, const Contact& contact) noexcept {
+Slab find_slab(const RowSearch& search, const Contact& contact, double travel) noexcept {
   const SurfaceFeatures& a = *search.object.features;
   const SurfaceFeatures& b = *search.scene.features;
   const Quat scene_from_world = search.scene.world_from_mesh.orientation.conjugate();
@@ -60,8 +60,8 @@ Slab find_slab(const RowSearch& search, const Contact& contact) noexcept {
   const double shift = slab.scene_axis.dot(search.scene_from_object.position);
   const double object_front = farthest_along(a, contact.object_patch, slab.object_axis) + shift;
   const double scene_front = -farthest_along(b, contact.scene_patch, -slab.scene_axis);
-  slab.object_least = scene_front - search.reach.travel - shift;
-  slab.scene_most = object_front + search.reach.travel;
+  slab.object_least = scene_front - travel - shift;
+  slab.scene_most = object_front + travel;
   return slab;
 }
 

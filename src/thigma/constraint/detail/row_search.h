@@ -38,21 +38,22 @@ struct RowSearch {
 
 RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept;
 
-/// The slab of a contact along its normal.
-Slab find_slab(const RowSearch& search, const Contact& contact) noexcept;
+/// The slab of a contact along its normal, for so much travel [m].
+Slab find_slab(const RowSearch& search, const Contact& contact, double travel) noexcept;
 
 /// Corners of a patch at least so far along an axis; at most kMostNear.
 void keep_near(const SurfaceFeatures& features, std::int32_t patch, const Vec3& axis, double least,
                std::vector<std::int32_t>& near) noexcept;
 
 /// Adds vertices of either patch within reach of triangles of the other that they may touch.
-void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,
-                     RowScratch& scratch) noexcept;
+/// returns  the slab of the contact; of no axis where a list of what may touch made it needless
+Slab gather_vertices(RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept;
 
 /// Rows of all that was gathered.
 void search_vertices(RowSearch& search, RowScratch& scratch, std::vector<FoundRow>& rows) noexcept;
 
 /// Rows of convex edges of two patches that no plane keeps apart.
+/// slab  as gathering vertices gave it
 void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, RowScratch& scratch,
                   std::vector<FoundRow>& rows) noexcept;
 

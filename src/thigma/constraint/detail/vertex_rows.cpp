@@ -1,96 +1,48 @@
 // Vertices against triangles, of the object against the scene and the other way round.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
 #include "thigma/constraint/detail/feature_distance.h"
+#include "thigma/constraint/detail/pair_lists.h"
 #include "thigma/constraint/detail/plane_choice.h"
 #include "thigma/constraint/detail/row_search.h"
+#include "thigma/constraint/detail/vertex_sides.h"
 #include "thigma/core/index.h"
 
 namespace thigma::detail {
 namespace {
 
-/// The surface with the vertices and the one with the planes.
-struct Sides {
-  const SurfaceFeatures& points;
-  const SurfaceFeatures& planes;
-  Pose planes_from_points;
-  PointsOf points_of;
-
-  Vec3 point(std::int32_t vertex) const noexcept {
-    return transform_point(planes_from_points, points.vertices[idx(vertex)]);
-  }
-};
-
-Sides sides_of(const RowSearch& s, PointsOf points_of) noexcept {
-  if (points_of == PointsOf::object)
-    return {*s.object.features, *s.scene.features, s.scene_from_object, points_of};
-  return {*s.scene.features, *s.object.features, s.object_from_scene, points_of};
-}
-
-/// Whether the surface about a vertex stays in front of a plane through it, but for what turning
-/// may do: only then may the vertex be the first to touch a face of that normal.
-bool may_touch(const SurfaceFeatures& points, std::int32_t vertex, const Vec3& normal,
-               double slack) noexcept {
-  const std::int32_t last = points.first_direction[idx(vertex) + 1];
-  for (std::int32_t i = points.first_direction[idx(vertex)]; i < last; ++i)
-    if (points.directions[idx(i)].dot(normal) < -slack) return false;
-  return true;
-}
-
-/// A half space: beyond `most` along an axis.
-struct Beyond {
-  Vec3 axis = Vec3::Zero();
-  double most = 0.0;
-};
-
-bool is_beyond(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
-               const Beyond& beyond) noexcept {
-  for (const std::int32_t v : triangle.vertex)
-    if (beyond.axis.dot(features.vertices[idx(v)]) <= beyond.most) return false;
-  return true;
-}
-
-void gather_side(RowSearch& search, const Sides& sides, std::int32_t patch,
-                 std::span<const std::int32_t> vertices, const Beyond& beyond,
+/// A candidate of each pair within reach whose features may touch.
+void gather_side(RowSearch& search, const Sides& sides,
+                 std::span<const RowScratch::FeaturePair> pairs,
                  std::vector<VertexSide::Candidate>& out) noexcept {
   const double travel = search.reach.travel;
   const SurfaceFeatures& planes = sides.planes;
-  if (vertices.empty()) return;
-  const Mat3 rotation = sides.planes_from_points.orientation.toRotationMatrix();
-  const Mat3 points_from_planes = rotation.transpose();
-  std::array<Vec3, kMostNear> points;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    points[i] =
-        rotation * sides.points.vertices[idx(vertices[i])] + sides.planes_from_points.position;
-  for (const std::int32_t t : part_of(planes.patch_triangles, planes.first_triangle, patch)) {
+  const Mat3 points_from_planes = sides.rotation.transpose();
+  const bool is_object = sides.points_of == PointsOf::object;
+  for (const RowScratch::FeaturePair& pair : pairs) {
+    const std::int32_t v = is_object ? pair.of_object : pair.of_scene;
+    const std::int32_t t = is_object ? pair.of_scene : pair.of_object;
     const SurfaceTriangle& triangle = planes.triangles[idx(t)];
-    if (is_beyond(planes, triangle, beyond)) continue;
     const Vec3& a = planes.vertices[idx(triangle.vertex[0])];
-    const Vec3 normal_of_points = points_from_planes * triangle.normal;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const std::int32_t v = vertices[i];
-      const Vec3& p = points[i];
-      const double ball = triangle.radius + travel;
-      if ((p - triangle.center).squaredNorm() > ball * ball) continue;
-      const double height = triangle.normal.dot(p - a);
-      if (std::fabs(height) > travel) continue;
-      if (!may_touch(sides.points, v, normal_of_points, search.cone_slack)) continue;
-      const Vec3 nearest = nearest_on_triangle(p, a, planes.vertices[idx(triangle.vertex[1])],
-                                               planes.vertices[idx(triangle.vertex[2])]);
-      const double distance = (p - nearest).norm();
-      if (!(distance <= travel)) continue;
-      if (out.size() == out.capacity()) {
-        ++search.left_out;
-        continue;
-      }
-      out.push_back({distance, v, t, nearest});
-      if (height >= 0.0 && distance - height <= search.rounding)
-        add_known(search, sides.points_of, triangle.normal, height);
+    const Vec3 p = sides.placed(v);
+    const double height = triangle.normal.dot(p - a);
+    if (std::fabs(height) > travel) continue;
+    if (!may_touch(sides.points, v, points_from_planes * triangle.normal, search.cone_slack))
+      continue;
+    const Vec3 nearest = nearest_on_triangle(p, a, planes.vertices[idx(triangle.vertex[1])],
+                                             planes.vertices[idx(triangle.vertex[2])]);
+    const double distance = (p - nearest).norm();
+    if (!(distance <= travel)) continue;
+    if (out.size() == out.capacity()) {
+      ++search.left_out;
+      continue;
     }
+    out.push_back({distance, v, t, nearest});
+    if (height >= 0.0 && distance - height <= search.rounding)
+      add_known(search, sides.points_of, triangle.normal, height);
   }
 }
 
@@ -211,16 +163,22 @@ void search_side(RowSearch& search, const Sides& sides, VertexSide& side,
 
 }  // namespace
 
-void gather_vertices(RowSearch& search, const Contact& contact, const Slab& slab,
-                     RowScratch& scratch) noexcept {
-  keep_near(*search.object.features, contact.object_patch, slab.object_axis, slab.object_least,
-            scratch.near_object);
-  keep_near(*search.scene.features, contact.scene_patch, -slab.scene_axis, -slab.scene_most,
-            scratch.near_scene);
-  gather_side(search, sides_of(search, PointsOf::object), contact.scene_patch, scratch.near_object,
-              {slab.scene_axis, slab.scene_most}, scratch.object.candidates);
-  gather_side(search, sides_of(search, PointsOf::scene), contact.object_patch, scratch.near_scene,
-              {-slab.object_axis, -slab.object_least}, scratch.scene.candidates);
+Slab gather_vertices(RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept {
+  const RowScratch::PairList* list = keep_list(search, contact, scratch);
+  const PairReach reach = exact_reach(search);
+  const Slab slab = list == nullptr ? find_slab(search, contact, reach.travel) : Slab{};
+  const auto gather = [&](PairKind kind, PointsOf points_of, VertexSide& side) {
+    if (list == nullptr) {
+      scratch.listed.clear();
+      list_vertices(search, kind, contact, slab, reach, scratch);
+    }
+    const auto pairs = list == nullptr ? std::span<const RowScratch::FeaturePair>(scratch.listed)
+                                       : pairs_of(*list, kind);
+    if (!pairs.empty()) gather_side(search, sides_of(search, points_of), pairs, side.candidates);
+  };
+  gather(PairKind::object_vertices, PointsOf::object, scratch.object);
+  gather(PairKind::scene_vertices, PointsOf::scene, scratch.scene);
+  return slab;
 }
 
 void search_vertices(RowSearch& search, RowScratch& scratch, std::vector<FoundRow>& rows) noexcept {

@@ -74,10 +74,12 @@ bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_fr
   return runs_through(of_a, of_b, rounding) || runs_through(of_b, of_a, rounding);
 }
 
-// How far the bodies may move before a pair could be of another kind; 0: not at all.
+// How far the bodies may move before a pair could be of another kind; 0: not at all. Hulls that are
+// apart have no back.
 double steadiness(const PatchPair& pair, const HullView& a, const HullView& b,
-                  const RelativePose& a_from_b) noexcept {
+                  const RelativePose& a_from_b, bool is_of_hulls) noexcept {
   if (pair.status == PairContactStatus::separated) {
+    if (is_of_hulls) return pair.separation;
     const Vec3 back = -(a_from_b.rotation.transpose() * pair.normal);
     const bool faces =
         is_before_front(a, pair.feature_a, pair.normal) || is_before_front(b, pair.feature_b, back);
@@ -123,7 +125,7 @@ bool is_carrying(QueryFrame& frame) noexcept {
   CarriedContacts& carried = frame.front.carried;
   const bool is_of_pose = r.metric.velocity > 0.0 || r.metric.view.pixels > 0.0;
   const bool has_budget = r.budget_tests > 0 || r.budget_cpu > 0.0;
-  if (!(r.carry > 0.0) || carried.place == nullptr || frame.query.measures_hulls) return false;
+  if (!(r.carry > 0.0) || carried.place == nullptr) return false;
   if (!r.is_exact && (is_of_pose || has_budget || r.exact_within > 0.0)) return false;
   if (!is_same_question(carried.asked, r) ||
       carried.keeps_direction != frame.query.keep_directions) {
@@ -138,7 +140,8 @@ void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const Hu
                   const MeasuredContact& measured) noexcept {
   CarriedContacts& carried = frame.front.carried;
   const double most = share_of(i) * frame.query.resolution.carry * frame.query.tolerance;
-  if (!(steadiness(measured.pair, a, b, frame.pose) > most)) return drop_carried(carried, i);
+  if (!(steadiness(measured.pair, a, b, frame.pose, frame.query.measures_hulls) > most))
+    return drop_carried(carried, i);
   if (carried.place[i] < 0) {
     if (carried.free.empty()) return;
     carried.place[i] = carried.free.back();

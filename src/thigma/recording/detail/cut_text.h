@@ -16,8 +16,9 @@ namespace thigma::detail {
 inline std::string cut_text(double last_time, std::uint64_t frame_count, const McapScan& file) {
   const std::string why = !file.cut.empty() ? file.cut : "the session went on";
   char text[160];
-  std::snprintf(text, sizeof text, "the recording ends at %.3f s, %llu frames, byte %llu of %llu: ",
-                last_time, static_cast<unsigned long long>(frame_count),
+  std::snprintf(text, sizeof text,
+                "the recording ends at %.3f s, %llu frames, byte %llu of %llu: ", last_time,
+                static_cast<unsigned long long>(frame_count),
                 static_cast<unsigned long long>(file.end),
                 static_cast<unsigned long long>(file.size));
   return text + why;
