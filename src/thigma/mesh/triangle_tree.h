@@ -16,6 +16,11 @@ struct TreeBox {
   }
 };
 
+/// Squared distance from a point to a box, 0 inside.
+inline double squared_distance(const TreeBox& box, const Vec3& p) noexcept {
+  return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).squaredNorm();
+}
+
 struct TreeNode {
   TreeBox box;
   std::int32_t right = -1;            // inner: the left child follows the node

@@ -15,6 +15,7 @@
 #include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
 #include "thigma/math/infinity.h"
+#include "thigma/mesh/triangle_tree.h"
 
 namespace thigma::detail {
 namespace {
@@ -22,6 +23,10 @@ namespace {
 constexpr int kDivisions = 5;   // of a triangle into four, one after the other
 constexpr double kTight = 2.0;  // a bound within this of the largest distance met is good
 // Nor is one worth dividing that is below s, which counts in every sum it enters.
+
+// A squared distance to a box this many times that to a triangle is larger, however both were
+// rounded.
+constexpr double kFarther = 1.0 + 1e-9;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -45,11 +50,20 @@ struct Nearest {
   double distance = kInfinity;
 };
 
+TreeBox box_of(const Corners& t) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+}
+
 void search_leaf(const ClodHierarchy& hierarchy, std::int32_t node, const Vec3& p, Nearest& best) {
   const HullView leaf = hull_view(hierarchy, node);
+  double far2 = kFarther * best.distance * best.distance;
   for (int t = 0; t < leaf.triangle_count; ++t) {
-    const double d = distance(p, corners(leaf, t));
-    if (d < best.distance) best = {node, t, d};
+    const Corners c = corners(leaf, t);
+    if (squared_distance(box_of(c), p) > far2) continue;
+    const double d = distance(p, c);
+    if (d >= best.distance) continue;
+    best = {node, t, d};
+    far2 = kFarther * d * d;
   }
 }
 
@@ -133,7 +147,10 @@ struct PatchBounds {
       const Corners fine = corners(leaf, t);
       double bound = farthest_corner(fine, corners(patch, guess));
       for (int k = 0; k < patch.triangle_count && bound > largest; ++k) {
-        const double other = farthest_corner(fine, corners(patch, k));
+        const Corners coarse = corners(patch, k);
+        double other = 0.0;
+        for (std::size_t i = 0; i < 3 && other < bound; ++i)
+          other = std::max(other, distance(fine[i], coarse));
         if (other >= bound) continue;
         bound = other;
         guess = k;

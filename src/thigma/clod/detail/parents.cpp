@@ -10,6 +10,10 @@
 namespace thigma::detail {
 namespace {
 
+// A squared distance to a box this many times that to a triangle is larger, however both were
+// rounded.
+constexpr double kFarther = 1.0 + 1e-9;
+
 /// Largest distance of the points from the triangles of a patch; stops once it exceeds the limit.
 double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
                      const std::vector<std::int32_t>& triangles, double limit) {
@@ -18,9 +22,11 @@ double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
     double distance = std::numeric_limits<double>::infinity();
     for (const std::int32_t t : triangles) {
       const auto& v = level.triangles[idx(t)];
-      distance = std::min(distance, point_triangle_distance(p, level.positions[idx(v[0])],
-                                                            level.positions[idx(v[1])],
-                                                            level.positions[idx(v[2])]));
+      const Vec3 &a = level.positions[idx(v[0])], &b = level.positions[idx(v[1])],
+                 &c = level.positions[idx(v[2])];
+      const TreeBox box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+      if (squared_distance(box, p) > kFarther * distance * distance) continue;
+      distance = std::min(distance, point_triangle_distance(p, a, b, c));
     }
     largest = std::max(largest, distance);
     if (largest > limit) break;
