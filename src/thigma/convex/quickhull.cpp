@@ -213,7 +213,8 @@ void order_rim(Quickhull& hull, const Vec3& normal) {
   hull.rim.pop_back();
 }
 
-double squared_height_over_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+[[gnu::always_inline]] inline double squared_height_over_segment(const Vec3& p, const Vec3& a,
+                                                                 const Vec3& b) {
   const Vec3 along = b - a;
   const double length2 = along.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0.0;

@@ -73,14 +73,26 @@ int count_old_folds(const PatchedSurface& surface, const CollapseScratch& scratc
   return folds;
 }
 
+/// Two triangles of the star beside each other have the samples of their common edge in common
+/// when they are divided alike: the second tests them.
 bool is_near_original(const PatchedSurface& surface, CollapseContext& context, const Vec3& p) {
-  const EdgeStar& star = context.scratch.star;
+  CollapseScratch& scratch = context.scratch;
+  const EdgeStar& star = scratch.star;
   if (find_within_limit(context.guard, p, {star.tail, star.head, star.tail}) < 0) return false;
-  return std::all_of(star.triangles.begin(), star.triangles.end(), [&](const StarTriangle& t) {
-    return is_within_limit(context.guard,
-                           {p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
-                           {star.tail, t.a, t.b});
-  });
+  const auto corners = [&](const StarTriangle& t) {
+    return std::array{p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]};
+  };
+  scratch.divisions.clear();
+  for (const StarTriangle& t : star.triangles)
+    scratch.divisions.push_back(count_divisions(context.guard, corners(t)));
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const StarTriangle& t = star.triangles[i];
+    const int divisions = scratch.divisions[i];
+    const bool is_shared = t.following >= 0 && scratch.divisions[idx(t.following)] == divisions;
+    if (!is_within_limit(context.guard, corners(t), {star.tail, t.a, t.b}, divisions, !is_shared))
+      return false;
+  }
+  return true;
 }
 
 /// Vertices of the original that the star stands for, to the new triangles.
