@@ -13,8 +13,10 @@ bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
   const auto& v = guard.original->triangles[idx(t)];
   const auto& x = guard.original->positions;
   // Fine triangles are smaller than the limit: where a corner is near enough, so is the triangle.
-  if ((p - x[idx(v[0])]).squaredNorm() <= guard.limit * guard.limit) return true;
-  if (squared_distance(guard.tree.boxes[idx(t)], p) > guard.limit * guard.limit) return false;
+  const double limit2 = guard.limit * guard.limit;
+  if (squared_distance(guard.tree.boxes[idx(t)], p) > limit2) return false;
+  for (const std::int32_t corner : v)
+    if ((p - x[idx(corner)]).squaredNorm() <= limit2) return true;
   return point_triangle_distance(p, x[idx(v[0])], x[idx(v[1])], x[idx(v[2])]) <= guard.limit;
 }
 
