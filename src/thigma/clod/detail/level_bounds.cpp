@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
+#include "thigma/core/parallel.h"
 #include "thigma/math/infinity.h"
 #include "thigma/mesh/triangle_tree.h"
 
@@ -23,10 +22,6 @@ namespace {
 constexpr int kDivisions = 5;   // of a triangle into four, one after the other
 constexpr double kTight = 2.0;  // a bound within this of the largest distance met is good
 // Nor is one worth dividing that is below s, which counts in every sum it enters.
-
-// A squared distance to a box this many times that to a triangle is larger, however both were
-// rounded.
-constexpr double kFarther = 1.0 + 1e-9;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -216,17 +211,10 @@ void measure_level_bounds(int threads, ClodHierarchy& hierarchy) {
   hierarchy.vertex_to_below.assign(hierarchy.vertices.size(), 0.0f);
   hierarchy.triangle_to_below.assign(hierarchy.hull_triangles.size(), 0.0f);
   const Finest finest = finest_of(hierarchy);
-  // Patches are independent: which thread takes one does not show in the result.
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < hierarchy.level_patches.size(); i = next++)
-      if (hierarchy.level_patches[i].patch.node >= 0)
-        measure_patch(finest, hierarchy, hierarchy.level_patches[i]);
-  };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  for_each_piece(hierarchy.level_patches.size(), threads, [&](std::size_t i) {
+    if (hierarchy.level_patches[i].patch.node >= 0)
+      measure_patch(finest, hierarchy, hierarchy.level_patches[i]);
+  });
 }
 
 }  // namespace thigma::detail

@@ -100,25 +100,28 @@ bool is_original_near(const PatchedSurface& surface, const CollapseContext& cont
                       const Vec3& p) {
   const CollapseScratch& scratch = context.scratch;
   const DeviationGuard& guard = context.guard;
-  const auto distance = [&](const Vec3& x, const StarTriangle& t) {
-    return point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
-                                   surface.mesh.positions[idx(t.b)]);
+  const auto is_near = [&](const Vec3& x, std::size_t i) {
+    const StarTriangle& t = scratch.star.triangles[i];
+    return squared_distance(scratch.new_box[i], x) <= kFarther * guard.limit * guard.limit &&
+           point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
+                                   surface.mesh.positions[idx(t.b)]) <= guard.limit;
   };
-  const auto are_near = [&](std::int32_t triangle, const StarTriangle* own) {
+  const std::size_t count = scratch.star.triangles.size();
+  const auto are_near = [&](std::int32_t triangle, std::size_t own) {
     for (std::int32_t v = guard.first_sample[idx(triangle)]; v >= 0;
          v = guard.next_sample[idx(v)]) {
       const Vec3& x = guard.original->positions[idx(v)];
-      if (own && distance(x, *own) <= guard.limit) continue;
-      if (std::none_of(scratch.star.triangles.begin(), scratch.star.triangles.end(),
-                       [&](const StarTriangle& t) { return distance(x, t) <= guard.limit; }))
-        return false;
+      if (own < count && is_near(x, own)) continue;
+      std::size_t i = 0;
+      while (i < count && !is_near(x, i)) ++i;
+      if (i == count) return false;
     }
     return true;
   };
-  for (const StarTriangle& t : scratch.star.triangles)
-    if (!are_near(t.triangle, &t)) return false;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!are_near(scratch.star.triangles[i].triangle, i)) return false;
   for (const std::int32_t t : scratch.star.removed)
-    if (t >= 0 && !are_near(t, nullptr)) return false;
+    if (t >= 0 && !are_near(t, count)) return false;
   return true;
 }
 
