@@ -146,7 +146,7 @@ bool enters_other_hull(const PatchedSurface& surface, const Flip& flip) {
   const std::int32_t shell = surface.patches[idx(flip.patch[0])].shell;
   bool entered = false;
   for (const std::int32_t t : flip.quad.triangle)
-    surface.tree.visit(box_of(corners_of(surface, t)), [&](std::int32_t patch) {
+    surface.tree.visit(surface.box[idx(t)], [&](std::int32_t patch) {
       const SurfacePatch& p = surface.patches[idx(patch)];
       if (entered || patch == flip.patch[0] || patch == flip.patch[1] || p.shell != shell) return;
       entered = intrudes(surface, t, p.half_spaces, p.box);

@@ -79,10 +79,7 @@ void narrow_by_patches(ConvexPart& part, const CollapseScratch& scratch) {
 
 /// Hands the original's vertices that the star stood for to the nearest of its new triangles.
 void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
-                       std::vector<TreeBox>& boxes, detail::DeviationGuard& guard) {
-  boxes.clear();
-  for (const StarTriangle& t : star.triangles)
-    boxes.push_back(box_of(corners_of(surface, t.triangle)));
+                       detail::DeviationGuard& guard) {
   std::int32_t list = -1;  // of all of them
   const auto take = [&](std::int32_t triangle) {
     std::int32_t& first = guard.first_sample[idx(triangle)];
@@ -102,13 +99,13 @@ void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
     const Vec3& p = guard.original->positions[idx(v)];
     double least = std::numeric_limits<double>::infinity();
     std::int32_t nearest = star.triangles[0].triangle;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (squared_distance(boxes[i], p) > kFarther * least * least) continue;
-      const auto c = corners_of(surface, star.triangles[i].triangle);
+    for (const StarTriangle& t : star.triangles) {
+      if (squared_distance(surface.box[idx(t.triangle)], p) > kFarther * least * least) continue;
+      const auto c = corners_of(surface, t.triangle);
       const double distance = point_triangle_distance(p, c[0], c[1], c[2]);
       if (distance >= least) continue;
       least = distance;
-      nearest = star.triangles[i].triangle;
+      nearest = t.triangle;
     }
     guard.next_sample[idx(v)] = guard.first_sample[idx(nearest)];
     guard.first_sample[idx(nearest)] = v;
@@ -130,7 +127,7 @@ void commit(PatchedSurface& surface, CollapseContext& context, const Vec3& p,
       detail::find_within_limit(context.guard, p, {star.tail, star.head, star.tail});
   if (near >= 0) context.guard.near[idx(star.tail)] = near;
   for (const StarTriangle& t : star.triangles) refresh_triangle(surface, t.triangle);
-  hand_over_samples(surface, star, scratch.new_box, context.guard);
+  hand_over_samples(surface, star, context.guard);
   for (const std::int32_t t : star.removed) {
     if (t < 0) continue;
     std::erase(surface.patches[idx(surface.patch_of[idx(t)])].triangles, t);

@@ -178,10 +178,10 @@ int count_new_crossings(const PatchedSurface& surface, const CollapseScratch& sc
   const TreeBox all = star_box(scratch);
   visit_patches(surface, scratch, all, [&](std::int32_t, const SurfacePatch& patch) {
     for (const std::int32_t t : patch.triangles) {
-      if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
+      const TreeBox& box = surface.box[idx(t)];
+      if (!box.overlaps(all) || is_in_star(scratch, t) || is_removed(scratch, t) ||
+          surface.height[idx(t)] <= 0.0)
         continue;
-      const TreeBox box = box_of(corners_of(surface, t));
-      if (!box.overlaps(all)) continue;
       for (std::size_t i = 0; i < count; ++i)
         crossings +=
             scratch.new_box[i].overlaps(box) && scratch.new_height[i] > 0.0 &&
@@ -204,13 +204,13 @@ int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& sc
     for (std::size_t j = i + 1; j < own.size(); ++j)
       crossings +=
           triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(own[j])]);
-    const TreeBox box = box_of(corners_of(surface, own[i]));
+    const TreeBox& box = surface.box[idx(own[i])];
     visit_patches(surface, scratch, box, [&](std::int32_t, const SurfacePatch& patch) {
       for (const std::int32_t t : patch.triangles) {
         if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
           continue;
         crossings +=
-            box_of(corners_of(surface, t)).overlaps(box) &&
+            surface.box[idx(t)].overlaps(box) &&
             triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(t)]);
       }
     });
@@ -263,17 +263,16 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
   }
   if (only_by_star) return false;
   bool entered = false;
-  visit_patches(surface, scratch, scratch.patch_box[i],
-                [&](std::int32_t patch, const SurfacePatch& other) {
-                  if (entered || patch == own) return;
-                  for (const std::int32_t t : other.triangles) {
-                    if (entered || is_in_star(scratch, t) || is_removed(scratch, t) ||
-                        surface.height[idx(t)] <= 0.0)
-                      continue;
-                    const std::array<Vec3, 3> corners = corners_of(surface, t);
-                    entered = meets(corners, box_of(corners));
-                  }
-                });
+  visit_patches(
+      surface, scratch, scratch.patch_box[i], [&](std::int32_t patch, const SurfacePatch& other) {
+        if (entered || patch == own) return;
+        for (const std::int32_t t : other.triangles) {
+          if (entered || !surface.box[idx(t)].overlaps(scratch.patch_box[i]) ||
+              is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
+            continue;
+          entered = reaches_into(corners_of(surface, t), half_spaces);
+        }
+      });
   return entered;
 }
 
