@@ -28,6 +28,14 @@ TEST(SupportAreas, FloodAFlatSheetAndNoFartherThanItsRing) {
     EXPECT_LT(d[kFlood], 1.0) << "stopped early: a lower bound";
 }
 
+TEST(SupportAreas, AreTheSameWithAnyNumberOfThreads) {
+  const TriangleMesh ball = make_ball(1.0, 8);
+  const SurfaceTopology topology = compute_topology(ball);
+  for (const int threads : {2, 3, 7})
+    EXPECT_EQ(support_areas(ball, topology, {.tolerance = 0.1}, threads),
+              areas_of(ball, {.tolerance = 0.1}));
+}
+
 TEST(SupportAreas, OfABallIsItsCap) {
   // Within a height h of the pole of a ball of radius 1 the projected cap is pi (2 h - h^2).
   const double h = 0.1, expected = kPi * (2.0 * h - h * h);

@@ -32,6 +32,13 @@ std::vector<std::int32_t> search(const TriangleTree& tree, const TreeBox& box) {
   return found;
 }
 
+TEST(TreeBox, KnowsTheDistanceOfAPoint) {
+  const TreeBox box{{-1, -2, -3}, {1, 2, 3}};
+  EXPECT_EQ(squared_distance(box, {0.5, -1.5, 3}), 0.0);
+  EXPECT_EQ(squared_distance(box, {4, 0, 0}), 9.0);
+  EXPECT_EQ(squared_distance(box, {4, -6, 15}), 9.0 + 16.0 + 144.0);
+}
+
 TEST(TriangleTree, FindsWhatALoopFinds) {
   const TriangleMesh mesh = make_ball(1.0, 6);
   std::vector<std::int32_t> every(mesh.triangles.size());

@@ -27,7 +27,7 @@ constexpr double kShareOfLoop = 0.6, kShareOfTree = 0.75;
 std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh,
                                        const Simplification& simplification,
                                        const std::vector<detail::LevelPatches>& patches,
-                                       bool is_reparented, detail::DraftTree& tree) {
+                                       bool is_reparented, int threads, detail::DraftTree& tree) {
   std::vector<std::int32_t> draft_of_patch(tree.drafts.size());
   for (std::size_t i = 0; i < draft_of_patch.size(); ++i)
     draft_of_patch[i] = static_cast<std::int32_t>(i);
@@ -36,7 +36,7 @@ std::vector<std::int32_t> draft_levels(const TriangleMesh& mesh,
     const std::vector<std::int32_t> parent =
         is_reparented
             ? detail::nearest_parents(tree, draft_of_patch, simplification.levels[k - 1].parent,
-                                      simplification.levels[k].mesh, patches[k])
+                                      simplification.levels[k].mesh, patches[k], threads)
             : simplification.levels[k - 1].parent;
     std::vector<std::vector<std::int32_t>> children(idx(simplification.levels[k].patch_count));
     for (std::size_t i = 0; i < parent.size(); ++i)
@@ -94,8 +94,8 @@ ClodHierarchy build_levels(const TriangleMesh& mesh, const ClodParams& params, c
   const ConvexDecomposition decomposition = decompose_surface(mesh, topology, params.decomposition);
   const DecomposedSurface surface{mesh, topology, decomposition};
   const double decomposed = process_cpu_seconds();
-  auto support =
-      support_areas(mesh, topology, {.tolerance = params.contact_tolerance * hierarchy.radius});
+  auto support = support_areas(
+      mesh, topology, {.tolerance = params.contact_tolerance * hierarchy.radius}, params.threads);
   const double supported = process_cpu_seconds();
   SimplifyParams simplify = params.simplify;
   const auto& progress = params.simplify.progress;
@@ -105,11 +105,11 @@ ClodHierarchy build_levels(const TriangleMesh& mesh, const ClodParams& params, c
   const std::vector<LevelPatches> patches = list_level_patches(simplification);
   DraftTree tree = draft_leaves(mesh, decomposition);
   std::vector<std::int32_t> tops =
-      draft_levels(mesh, simplification, patches, form.is_reparented, tree);
+      draft_levels(mesh, simplification, patches, form.is_reparented, params.threads, tree);
   const std::int32_t root = add_even_levels(mesh, tops, tree);
   place_drafts(surface, tree, root, hierarchy);
   append_contact_patches(simplification, patches, hierarchy);
-  measure_hausdorff(hierarchy);
+  measure_hausdorff(params.threads, hierarchy);
   if (!form.has_culling_hulls) bound_by_contact_patches(hierarchy);
   const double placed = process_cpu_seconds();
   if (progress) progress(kShareOfTree);

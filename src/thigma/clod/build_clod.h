@@ -19,7 +19,7 @@ struct ClodParams {
   SimplifyParams simplify;
   // within which faces count as support of a vertex (Sec. 3.3.5); times the radius
   double contact_tolerance = 0.004;
-  int threads = 1;                // for the parameters; the loop of simplification is serial
+  int threads = 1;                // of all but decomposition and the loop of simplification
   bool has_culling_hulls = true;  // nodes bounded by hulls of the finest surface below them; false:
                                   // by their own patch and h, as in the text
 };

@@ -27,9 +27,9 @@ struct SupportParams {
 ///
 /// mesh     positions finite, indices in range [m]
 /// returns  one pair a vertex [m^2]; 0 for a vertex without faces
-/// Thread   [offline]; deterministic.
+/// Thread   [offline]; the same with any number of threads.
 std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
                                                  const SurfaceTopology& topology,
-                                                 const SupportParams& params);
+                                                 const SupportParams& params, int threads = 1);
 
 }  // namespace thigma

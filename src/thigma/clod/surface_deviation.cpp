@@ -52,7 +52,7 @@ void search(const DeviationTarget& target, std::int32_t index, const Vec3& p, do
 }
 
 struct Polygon {
-  std::array<Vec3, 10> corner;
+  std::array<Vec3, 10> corner;  // the first `count`; the others are not set
   std::size_t count = 0;
   void add(const Vec3& p) { corner[count++] = p; }
 };
@@ -62,15 +62,24 @@ void cut(Polygon& polygon, const Vec3& a, const Vec3& b) {
   const auto side = [&](const Vec3& p) {
     return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
   };
-  Polygon left;
+  std::array<double, 10> over;
+  std::size_t inside = 0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Vec3 &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
-    const double over_p = side(p), over_q = side(q);
+    over[i] = side(polygon.corner[i]);
+    inside += over[i] >= 0.0;
+  }
+  if (inside == polygon.count) return;
+  Polygon left;
+  for (std::size_t i = 0; i < polygon.count && inside > 0; ++i) {
+    const std::size_t j = i + 1 < polygon.count ? i + 1 : 0;
+    const Vec3 &p = polygon.corner[i], &q = polygon.corner[j];
+    const double over_p = over[i], over_q = over[j];
     if (over_p >= 0.0) left.add(p);
     if ((over_p > 0.0 && over_q < 0.0) || (over_p < 0.0 && over_q > 0.0))
       left.add(p + over_p / (over_p - over_q) * (q - p));
   }
-  polygon = left;
+  std::copy_n(left.corner.begin(), left.count, polygon.corner.begin());
+  polygon.count = left.count;
 }
 
 double area_above(const Polygon& polygon) {

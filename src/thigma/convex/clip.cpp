@@ -26,12 +26,22 @@ bool reaches_into(const std::array<Vec3, 3>& triangle, const std::vector<HalfSpa
       return false;
   // Kept from call to call: millions of them a model.
   thread_local std::vector<Vec3> polygon, cut;
+  thread_local std::vector<double> over;
   polygon.assign(triangle.begin(), triangle.end());
   for (const HalfSpace& h : half_spaces) {
+    const std::size_t count = polygon.size();
+    over.resize(count);
+    bool is_cut = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      over[i] = h.normal.dot(polygon[i]) - h.offset;
+      is_cut |= !(over[i] <= 0.0);
+    }
+    if (!is_cut) continue;
     cut.clear();
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-      const double over_p = h.normal.dot(p) - h.offset, over_q = h.normal.dot(q) - h.offset;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t j = i + 1 < count ? i + 1 : 0;
+      const Vec3 &p = polygon[i], &q = polygon[j];
+      const double over_p = over[i], over_q = over[j];
       if (over_p <= 0.0) cut.push_back(p);
       if ((over_p < 0.0 && over_q > 0.0) || (over_p > 0.0 && over_q < 0.0))
         cut.push_back(p + (over_p / (over_p - over_q)) * (q - p));

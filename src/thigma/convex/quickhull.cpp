@@ -213,11 +213,16 @@ void order_rim(Quickhull& hull, const Vec3& normal) {
   hull.rim.pop_back();
 }
 
-double height_over_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+[[gnu::always_inline]] inline double squared_height_over_segment(const Vec3& p, const Vec3& a,
+                                                                 const Vec3& b) {
   const Vec3 along = b - a;
   const double length2 = along.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
+  return (p - a - t * along).squaredNorm();
+}
+
+double height_over_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return std::sqrt(squared_height_over_segment(p, a, b));
 }
 
 /// The points of the rim with the largest distance from the polygon so far, until max_vertices or
@@ -359,8 +364,10 @@ double point_triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, cons
   if (n2 > 0.0 && n.dot((b - a).cross(p - a)) >= 0.0 && n.dot((c - b).cross(p - b)) >= 0.0 &&
       n.dot((a - c).cross(p - c)) >= 0.0)
     return std::fabs(n.dot(p - a)) / std::sqrt(n2);
-  return std::min(
-      {height_over_segment(p, a, b), height_over_segment(p, b, c), height_over_segment(p, c, a)});
+  // The root is monotonic: that of the least square is the least of the roots.
+  return std::sqrt(
+      std::min({squared_height_over_segment(p, a, b), squared_height_over_segment(p, b, c),
+                squared_height_over_segment(p, c, a)}));
 }
 
 double outside_distance(const Quickhull& hull) {

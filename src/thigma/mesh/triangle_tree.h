@@ -16,6 +16,15 @@ struct TreeBox {
   }
 };
 
+/// A squared distance to a box this many times that to a triangle is larger, however both were
+/// rounded: what is in the box is farther.
+inline constexpr double kFarther = 1.0 + 1e-9;
+
+/// Squared distance from a point to a box, 0 inside.
+inline double squared_distance(const TreeBox& box, const Vec3& p) noexcept {
+  return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).squaredNorm();
+}
+
 struct TreeNode {
   TreeBox box;
   std::int32_t right = -1;            // inner: the left child follows the node

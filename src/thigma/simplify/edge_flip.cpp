@@ -89,9 +89,9 @@ bool is_near_original(const PatchedSurface& surface, detail::DeviationGuard& gua
   const Vec3 &a = x[idx(flip.quad.a)], &b = x[idx(flip.quad.b)], &c = x[idx(flip.quad.c)],
              &d = x[idx(flip.quad.d)];
   const std::array<std::int32_t, 3> near = {flip.quad.a, flip.quad.b, flip.quad.c};
-  if (!detail::is_within_limit(guard, {a, c, d}, near) ||
-      !detail::is_within_limit(guard, {b, c, d}, near))
-    return false;
+  for (const std::array<Vec3, 3>& corners : {std::array{a, c, d}, std::array{b, c, d}})
+    if (!detail::is_within_limit(guard, corners, near, detail::count_divisions(guard, corners)))
+      return false;
   const auto one = corners_of(surface, flip.quad.triangle[0]),
              two = corners_of(surface, flip.quad.triangle[1]);
   for (const std::int32_t t : flip.quad.triangle)
@@ -146,7 +146,7 @@ bool enters_other_hull(const PatchedSurface& surface, const Flip& flip) {
   const std::int32_t shell = surface.patches[idx(flip.patch[0])].shell;
   bool entered = false;
   for (const std::int32_t t : flip.quad.triangle)
-    surface.tree.visit(box_of(corners_of(surface, t)), [&](std::int32_t patch) {
+    surface.tree.visit(surface.box[idx(t)], [&](std::int32_t patch) {
       const SurfacePatch& p = surface.patches[idx(patch)];
       if (entered || patch == flip.patch[0] || patch == flip.patch[1] || p.shell != shell) return;
       entered = intrudes(surface, t, p.half_spaces, p.box);

@@ -96,12 +96,13 @@ void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
   while (list >= 0) {
     const std::int32_t v = list;
     list = guard.next_sample[idx(v)];
+    const Vec3& p = guard.original->positions[idx(v)];
     double least = std::numeric_limits<double>::infinity();
     std::int32_t nearest = star.triangles[0].triangle;
     for (const StarTriangle& t : star.triangles) {
+      if (squared_distance(surface.box[idx(t.triangle)], p) > kFarther * least * least) continue;
       const auto c = corners_of(surface, t.triangle);
-      const double distance =
-          point_triangle_distance(guard.original->positions[idx(v)], c[0], c[1], c[2]);
+      const double distance = point_triangle_distance(p, c[0], c[1], c[2]);
       if (distance >= least) continue;
       least = distance;
       nearest = t.triangle;

@@ -65,6 +65,7 @@ struct CollapseScratch {
   std::vector<Vec3> new_normal;  // of the triangles of the star, at the position on trial
   std::vector<double> new_height, old_quality;
   std::vector<TreeBox> new_box;
+  std::vector<int> divisions;                             // of the new triangles' edges, by samples
   std::vector<std::vector<std::int32_t>> patch_vertices;  // of the patches of the star, afterwards
   std::vector<std::vector<HalfSpace>> half_spaces;
   std::vector<TreeBox> patch_box;

@@ -114,6 +114,7 @@ void refresh_triangle(PatchedSurface& surface, std::int32_t t) {
   const double length = cross.norm();
   // As in the decomposition: below this the direction of the normal is rounding alone.
   const bool has_area = length > 1e-15 * longest2;
+  surface.box[idx(t)] = box_of(c);
   surface.normal[idx(t)] = has_area ? Vec3(cross / length) : Vec3(Vec3::Zero());
   surface.height[idx(t)] = has_area ? length / std::sqrt(longest2) : 0.0;
 }
@@ -142,9 +143,8 @@ void list_patch_half_spaces(const PatchedSurface& surface,
 
 bool intrudes(const PatchedSurface& surface, std::int32_t t,
               const std::vector<HalfSpace>& half_spaces, const TreeBox& box) {
-  if (half_spaces.empty() || surface.height[idx(t)] <= 0.0) return false;
-  const std::array<Vec3, 3> corners = corners_of(surface, t);
-  return box_of(corners).overlaps(box) && reaches_into(corners, half_spaces);
+  return !half_spaces.empty() && surface.box[idx(t)].overlaps(box) &&
+         surface.height[idx(t)] > 0.0 && reaches_into(corners_of(surface, t), half_spaces);
 }
 
 void set_patch(PatchedSurface& surface, std::int32_t patch, std::vector<std::int32_t>& vertices,
@@ -169,6 +169,7 @@ PatchedSurface build_patched_surface(const DecomposedSurface& decomposed, double
   surface.patch_of = decomposition.patch_of_triangle;
   surface.normal.resize(mesh.triangles.size());
   surface.height.resize(mesh.triangles.size());
+  surface.box.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     refresh_triangle(surface, static_cast<std::int32_t>(t));
   const std::vector<std::int32_t>& shell = decomposed.topology.shell;

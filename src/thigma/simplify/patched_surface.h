@@ -30,6 +30,7 @@ struct PatchedSurface {
   std::vector<std::int32_t> patch_of;  // of each triangle (m)
   std::vector<Vec3> normal;            // unit; zero for triangles without an area (m)
   std::vector<double> height;          // of a triangle over its longest edge: width of a sliver [m]
+  std::vector<TreeBox> box;            // of each triangle: searches look here before at corners (m)
   std::vector<SurfacePatch> patches;
   BoxTree tree;         // of the patches that have triangles
   double radius = 0.0;  // of the smallest ball around the original [m]
@@ -72,7 +73,7 @@ inline TreeBox box_of(const std::array<Vec3, 3>& c) {
   return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
 }
 
-/// Recomputes normal and height from the positions.
+/// Recomputes normal, height and box from the positions.
 void refresh_triangle(PatchedSurface& surface, std::int32_t t);
 
 /// Half-spaces of the hull of some vertices moved inwards by the inset, and the box of the

@@ -1,14 +1,13 @@
 #include "thigma/clod/detail/level_patches.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
-#include <thread>
 
 #include "thigma/clod/detail/draft_tree.h"
 #include "thigma/clod/surface_deviation.h"
 #include "thigma/convex/gjk.h"
 #include "thigma/core/index.h"
+#include "thigma/core/parallel.h"
 
 namespace thigma::detail {
 namespace {
@@ -157,8 +156,13 @@ void append_contact_patches(const Simplification& simplification,
           static_cast<std::int32_t>(i);
 }
 
-void measure_hausdorff(ClodHierarchy& hierarchy) {
-  std::vector<std::vector<std::int32_t>> below(hierarchy.nodes.size());  // nodes with a patch
+void measure_hausdorff(int threads, ClodHierarchy& hierarchy) {
+  struct Measure {
+    std::int32_t node;
+    std::vector<std::int32_t> below;  // nodes with a patch
+  };
+  std::vector<Measure> measures;
+  std::vector<std::vector<std::int32_t>> below(hierarchy.nodes.size());
   for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {
     const ClodNode& node = hierarchy.nodes[i];
     const bool is_free = node.child_count > 0 && node.contact < 0;
@@ -168,15 +172,17 @@ void measure_hausdorff(ClodHierarchy& hierarchy) {
       std::vector<std::int32_t>().swap(child);
     }
     if (is_free) continue;
-    if (node.contact >= 0) {
-      const HullView hull = level_surface(hierarchy, static_cast<std::int32_t>(i));
-      double& largest = hierarchy.level_patches[idx(node.contact)].hausdorff;
-      for (const std::int32_t other : below[i])
-        largest = std::max(largest, reach_outside(level_surface(hierarchy, other), hull));
-      largest += 1e-12 * hierarchy.radius;  // rounding of the distances
-    }
+    if (node.contact >= 0) measures.push_back({static_cast<std::int32_t>(i), below[i]});
     below[i].push_back(static_cast<std::int32_t>(i));
   }
+  for_each_piece(measures.size(), threads, [&](std::size_t i) {
+    const HullView hull = level_surface(hierarchy, measures[i].node);
+    double& largest =
+        hierarchy.level_patches[idx(hierarchy.nodes[idx(measures[i].node)].contact)].hausdorff;
+    for (const std::int32_t other : measures[i].below)
+      largest = std::max(largest, reach_outside(level_surface(hierarchy, other), hull));
+    largest += 1e-12 * hierarchy.radius;  // rounding of the distances
+  });
 }
 
 void bound_by_contact_patches(ClodHierarchy& hierarchy) {
@@ -211,16 +217,9 @@ void measure_deviation(const TriangleMesh& mesh, const ConvexDecomposition& deco
   std::vector<std::size_t> first(1, 0);
   for (const SimplifiedLevel& level : simplification.levels)
     first.push_back(first.back() + (first.size() > 1 ? idx(level.patch_count) : 0));
-  // Levels are independent: which thread takes one does not show in the result.
-  std::atomic<std::size_t> next{1};
-  const auto work = [&] {
-    for (std::size_t k = next++; k < simplification.levels.size(); k = next++)
-      measure_level(finest, simplification.levels[k], above[k], first[k], hierarchy);
-  };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  for_each_piece(simplification.levels.size() - 1, threads, [&](std::size_t i) {
+    measure_level(finest, simplification.levels[i + 1], above[i + 1], first[i + 1], hierarchy);
+  });
 }
 
 void fill_support(const ConvexDecomposition& decomposition,

@@ -24,7 +24,7 @@ void append_contact_patches(const Simplification& simplification,
                             const std::vector<LevelPatches>& patches, ClodHierarchy& hierarchy);
 
 /// Fills h of the contact patches: exact, over the hulls of all patches below their nodes.
-void measure_hausdorff(ClodHierarchy& hierarchy);
+void measure_hausdorff(int threads, ClodHierarchy& hierarchy);
 
 /// Gives the nodes of simplified levels their contact patch as bounding hull, and free nodes h to
 /// match: the form of the text.

@@ -5,6 +5,7 @@
 
 #include "thigma/convex/quickhull.h"
 #include "thigma/core/index.h"
+#include "thigma/core/parallel.h"
 #include "thigma/mesh/box_tree.h"
 
 namespace thigma::detail {
@@ -18,9 +19,11 @@ double distance_from(const std::vector<Vec3>& points, const TriangleMesh& level,
     double distance = std::numeric_limits<double>::infinity();
     for (const std::int32_t t : triangles) {
       const auto& v = level.triangles[idx(t)];
-      distance = std::min(distance, point_triangle_distance(p, level.positions[idx(v[0])],
-                                                            level.positions[idx(v[1])],
-                                                            level.positions[idx(v[2])]));
+      const Vec3 &a = level.positions[idx(v[0])], &b = level.positions[idx(v[1])],
+                 &c = level.positions[idx(v[2])];
+      const TreeBox box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+      if (squared_distance(box, p) > kFarther * distance * distance) continue;
+      distance = std::min(distance, point_triangle_distance(p, a, b, c));
     }
     largest = std::max(largest, distance);
     if (largest > limit) break;
@@ -41,32 +44,43 @@ std::vector<TreeBox> boxes_of(const TriangleMesh& level, const LevelPatches& pat
   return boxes;
 }
 
+/// The patch from which the points are least far. guess: one that may be.
+std::int32_t nearest_patch(const std::vector<Vec3>& points, const BoxTree& near,
+                           const TriangleMesh& level, const LevelPatches& patches,
+                           std::int32_t guess) {
+  std::int32_t best = guess;
+  double least = distance_from(points, level, patches.triangles[idx(best)],
+                               std::numeric_limits<double>::infinity());
+  // Nearer patches reach within `least` of every point, so of the first.
+  const Vec3 reach = Vec3::Constant(least);
+  near.visit({points[0] - reach, points[0] + reach}, [&](std::int32_t patch) {
+    const double distance = distance_from(points, level, patches.triangles[idx(patch)], least);
+    if (distance > least || (distance == least && patch >= best)) return;
+    least = distance;
+    best = patch;
+  });
+  return best;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> nearest_parents(const DraftTree& tree,
                                           const std::vector<std::int32_t>& draft_of_patch,
                                           const std::vector<std::int32_t>& successor,
-                                          const TriangleMesh& level, const LevelPatches& patches) {
+                                          const TriangleMesh& level, const LevelPatches& patches,
+                                          int threads) {
   BoxTree near;
-  const std::vector<TreeBox> boxes = boxes_of(level, patches);
-  near.build(boxes);
+  near.build(boxes_of(level, patches));
   std::vector<std::int32_t> parent(draft_of_patch.size(), -1);
-  for (std::size_t i = 0; i < parent.size(); ++i) {
-    if (draft_of_patch[i] < 0) continue;
-    const std::vector<Vec3>& points = tree.drafts[idx(draft_of_patch[i])].points;
-    std::int32_t best = successor[i];
-    double least = distance_from(points, level, patches.triangles[idx(best)],
-                                 std::numeric_limits<double>::infinity());
-    // Nearer patches reach within `least` of every point, so of the first.
-    const Vec3 reach = Vec3::Constant(least);
-    near.visit({points[0] - reach, points[0] + reach}, [&](std::int32_t patch) {
-      const double distance = distance_from(points, level, patches.triangles[idx(patch)], least);
-      if (distance > least || (distance == least && patch >= best)) return;
-      least = distance;
-      best = patch;
-    });
-    parent[i] = best;
-  }
+  const auto pieces = static_cast<std::size_t>(std::max(threads, 1));
+  for_each_piece(pieces, threads, [&](std::size_t piece) {
+    const BoxTree own = near;  // of one search at a time
+    const std::size_t end = parent.size() * (piece + 1) / pieces;
+    for (std::size_t i = parent.size() * piece / pieces; i < end; ++i)
+      if (draft_of_patch[i] >= 0)
+        parent[i] = nearest_patch(tree.drafts[idx(draft_of_patch[i])].points, own, level, patches,
+                                  successor[i]);
+  });
   return parent;
 }
 

@@ -20,6 +20,7 @@ namespace thigma::detail {
 std::vector<std::int32_t> nearest_parents(const DraftTree& tree,
                                           const std::vector<std::int32_t>& draft_of_patch,
                                           const std::vector<std::int32_t>& successor,
-                                          const TriangleMesh& level, const LevelPatches& patches);
+                                          const TriangleMesh& level, const LevelPatches& patches,
+                                          int threads);
 
 }  // namespace thigma::detail

@@ -87,7 +87,8 @@ void list_vertices(RowSearch& search, PairKind kind, const Contact& contact, con
   std::array<Vec3, kMostNear> points;
   for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = sides.placed(vertices[i]);
   const SurfaceFeatures& planes = sides.planes;
-  for (const std::int32_t t : part_of(planes.patch_triangles, planes.first_triangle, planes_patch)) {
+  for (const std::int32_t t :
+       part_of(planes.patch_triangles, planes.first_triangle, planes_patch)) {
     const SurfaceTriangle& triangle = planes.triangles[idx(t)];
     if (is_beyond(planes, triangle, beyond)) continue;
     const Vec3 normal_of_points = points_from_planes * triangle.normal;

@@ -100,8 +100,7 @@ PairReach exact_reach(const RowSearch& search) noexcept {
 void begin_lists(std::size_t contacts, RowScratch& scratch) noexcept {
   constexpr std::int64_t kLeast = 2, kShare = 8;
   ++scratch.calls;
-  scratch.most_made =
-      scratch.lists_made + kLeast + static_cast<std::int64_t>(contacts) / kShare;
+  scratch.most_made = scratch.lists_made + kLeast + static_cast<std::int64_t>(contacts) / kShare;
 }
 
 const PairList* find_list(const RowSearch& search, const Contact& contact,

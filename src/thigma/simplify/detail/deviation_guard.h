@@ -44,10 +44,17 @@ DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit)
 /// than kSampleSpacing times the limit: between them the deviation can grow by at most half of
 /// that.
 ///
-/// corners   of the triangle; the first is taken to have been tested [m]
-/// near      three vertices whose nearest triangles of the original are looked at first
+/// corners        of the triangle; the first is taken to have been tested [m]
+/// near           three vertices whose nearest triangles of the original are looked at first
+/// divisions      of the edges, from count_divisions
+/// has_last_edge  whether to test the edge between the last corner and the first: another triangle
+///                with as many divisions may have
 bool is_within_limit(DeviationGuard& guard, const std::array<Vec3, 3>& corners,
-                     const std::array<std::int32_t, 3>& near);
+                     const std::array<std::int32_t, 3>& near, int divisions,
+                     bool has_last_edge = true);
+
+/// Into how many parts samples divide the edges of a triangle.
+int count_divisions(const DeviationGuard& guard, const std::array<Vec3, 3>& corners);
 
 /// A triangle of the original within the limit of p, -1 for none. Looks first at the triangles
 /// near the given vertices.

@@ -73,14 +73,26 @@ int count_old_folds(const PatchedSurface& surface, const CollapseScratch& scratc
   return folds;
 }
 
+/// Two triangles of the star beside each other have the samples of their common edge in common
+/// when they are divided alike: the second tests them.
 bool is_near_original(const PatchedSurface& surface, CollapseContext& context, const Vec3& p) {
-  const EdgeStar& star = context.scratch.star;
+  CollapseScratch& scratch = context.scratch;
+  const EdgeStar& star = scratch.star;
   if (find_within_limit(context.guard, p, {star.tail, star.head, star.tail}) < 0) return false;
-  return std::all_of(star.triangles.begin(), star.triangles.end(), [&](const StarTriangle& t) {
-    return is_within_limit(context.guard,
-                           {p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
-                           {star.tail, t.a, t.b});
-  });
+  const auto corners = [&](const StarTriangle& t) {
+    return std::array{p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]};
+  };
+  scratch.divisions.clear();
+  for (const StarTriangle& t : star.triangles)
+    scratch.divisions.push_back(count_divisions(context.guard, corners(t)));
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const StarTriangle& t = star.triangles[i];
+    const int divisions = scratch.divisions[i];
+    const bool is_shared = t.following >= 0 && scratch.divisions[idx(t.following)] == divisions;
+    if (!is_within_limit(context.guard, corners(t), {star.tail, t.a, t.b}, divisions, !is_shared))
+      return false;
+  }
+  return true;
 }
 
 /// Vertices of the original that the star stands for, to the new triangles.
@@ -88,25 +100,28 @@ bool is_original_near(const PatchedSurface& surface, const CollapseContext& cont
                       const Vec3& p) {
   const CollapseScratch& scratch = context.scratch;
   const DeviationGuard& guard = context.guard;
-  const auto distance = [&](const Vec3& x, const StarTriangle& t) {
-    return point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
-                                   surface.mesh.positions[idx(t.b)]);
+  const auto is_near = [&](const Vec3& x, std::size_t i) {
+    const StarTriangle& t = scratch.star.triangles[i];
+    return squared_distance(scratch.new_box[i], x) <= kFarther * guard.limit * guard.limit &&
+           point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
+                                   surface.mesh.positions[idx(t.b)]) <= guard.limit;
   };
-  const auto are_near = [&](std::int32_t triangle, const StarTriangle* own) {
+  const std::size_t count = scratch.star.triangles.size();
+  const auto are_near = [&](std::int32_t triangle, std::size_t own) {
     for (std::int32_t v = guard.first_sample[idx(triangle)]; v >= 0;
          v = guard.next_sample[idx(v)]) {
       const Vec3& x = guard.original->positions[idx(v)];
-      if (own && distance(x, *own) <= guard.limit) continue;
-      if (std::none_of(scratch.star.triangles.begin(), scratch.star.triangles.end(),
-                       [&](const StarTriangle& t) { return distance(x, t) <= guard.limit; }))
-        return false;
+      if (own < count && is_near(x, own)) continue;
+      std::size_t i = 0;
+      while (i < count && !is_near(x, i)) ++i;
+      if (i == count) return false;
     }
     return true;
   };
-  for (const StarTriangle& t : scratch.star.triangles)
-    if (!are_near(t.triangle, &t)) return false;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!are_near(scratch.star.triangles[i].triangle, i)) return false;
   for (const std::int32_t t : scratch.star.removed)
-    if (t >= 0 && !are_near(t, nullptr)) return false;
+    if (t >= 0 && !are_near(t, count)) return false;
   return true;
 }
 
@@ -163,10 +178,10 @@ int count_new_crossings(const PatchedSurface& surface, const CollapseScratch& sc
   const TreeBox all = star_box(scratch);
   visit_patches(surface, scratch, all, [&](std::int32_t, const SurfacePatch& patch) {
     for (const std::int32_t t : patch.triangles) {
-      if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
+      const TreeBox& box = surface.box[idx(t)];
+      if (!box.overlaps(all) || is_in_star(scratch, t) || is_removed(scratch, t) ||
+          surface.height[idx(t)] <= 0.0)
         continue;
-      const TreeBox box = box_of(corners_of(surface, t));
-      if (!box.overlaps(all)) continue;
       for (std::size_t i = 0; i < count; ++i)
         crossings +=
             scratch.new_box[i].overlaps(box) && scratch.new_height[i] > 0.0 &&
@@ -189,13 +204,13 @@ int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& sc
     for (std::size_t j = i + 1; j < own.size(); ++j)
       crossings +=
           triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(own[j])]);
-    const TreeBox box = box_of(corners_of(surface, own[i]));
+    const TreeBox& box = surface.box[idx(own[i])];
     visit_patches(surface, scratch, box, [&](std::int32_t, const SurfacePatch& patch) {
       for (const std::int32_t t : patch.triangles) {
         if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
           continue;
         crossings +=
-            box_of(corners_of(surface, t)).overlaps(box) &&
+            surface.box[idx(t)].overlaps(box) &&
             triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(t)]);
       }
     });
@@ -248,17 +263,16 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
   }
   if (only_by_star) return false;
   bool entered = false;
-  visit_patches(surface, scratch, scratch.patch_box[i],
-                [&](std::int32_t patch, const SurfacePatch& other) {
-                  if (entered || patch == own) return;
-                  for (const std::int32_t t : other.triangles) {
-                    if (entered || is_in_star(scratch, t) || is_removed(scratch, t) ||
-                        surface.height[idx(t)] <= 0.0)
-                      continue;
-                    const std::array<Vec3, 3> corners = corners_of(surface, t);
-                    entered = meets(corners, box_of(corners));
-                  }
-                });
+  visit_patches(
+      surface, scratch, scratch.patch_box[i], [&](std::int32_t patch, const SurfacePatch& other) {
+        if (entered || patch == own) return;
+        for (const std::int32_t t : other.triangles) {
+          if (entered || !surface.box[idx(t)].overlaps(scratch.patch_box[i]) ||
+              is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
+            continue;
+          entered = reaches_into(corners_of(surface, t), half_spaces);
+        }
+      });
   return entered;
 }
 

@@ -19,13 +19,13 @@ int count_crossings(const PatchedSurface& surface, const std::array<std::int32_t
   for (const std::int32_t own : triangles) {
     if (surface.height[idx(own)] <= 0.0) continue;
     const std::int32_t shell = surface.patches[idx(surface.patch_of[idx(own)])].shell;
-    const TreeBox box = box_of(corners_of(surface, own));
+    const TreeBox& box = surface.box[idx(own)];
     surface.tree.visit(box, [&](std::int32_t patch) {
       const SurfacePatch& p = surface.patches[idx(patch)];
       if (p.shell != shell || !p.box.overlaps(box)) return;
       for (const std::int32_t t : p.triangles) {
         if (t == triangles[0] || t == triangles[1] || surface.height[idx(t)] <= 0.0) continue;
-        crossings += box_of(corners_of(surface, t)).overlaps(box) &&
+        crossings += surface.box[idx(t)].overlaps(box) &&
                      triangles_meet(surface.mesh.positions, surface.mesh.triangles[idx(own)],
                                     surface.mesh.triangles[idx(t)]);
       }
