@@ -107,7 +107,7 @@ struct RowScratch {
   struct PairList {
     const SurfaceFeatures *object = nullptr, *scene = nullptr;
     std::int32_t body = -1, object_patch = -1, scene_patch = -1;
-    std::array<std::uint8_t, 3> ends{};  // in `pairs`, of each kind of PairKind
+    std::array<std::uint8_t, 3> ends{};  // in `pairs`, of each FeatureKind
     bool is_full = false;                // there were too many: none are listed
     std::int64_t checked = -1;           // call that has found it to hold
     Vec3 center = Vec3::Zero();          // of the object's patch [m; scene's mesh frame]

@@ -247,7 +247,7 @@ bool is_guarded(const RowSearch& search, const PlacedPair& pair, EdgeSearch& edg
 std::span<const RowScratch::FeaturePair> find_pairs(RowSearch& search, EdgeSearch& edges,
                                                     RowScratch& scratch) noexcept {
   if (const RowScratch::PairList* list = find_list(search, edges.contact, scratch))
-    return pairs_of(*list, PairKind::edges);
+    return pairs_of(*list, FeatureKind::edges);
   if (edges.slab.object_axis.isZero(0.0))
     edges.slab = find_slab(search, edges.contact, search.reach.travel);
   scratch.listed.clear();

@@ -69,9 +69,9 @@ bool are_near(const RowSearch& search, const Vec3& tail, const Vec3& head, std::
 
 }  // namespace
 
-void list_vertices(RowSearch& search, PairKind kind, const Contact& contact, const Slab& slab,
+void list_vertices(RowSearch& search, FeatureKind kind, const Contact& contact, const Slab& slab,
                    const PairReach& reach, RowScratch& scratch) noexcept {
-  const bool is_object = kind == PairKind::object_vertices;
+  const bool is_object = kind == FeatureKind::object_vertices;
   const Sides sides = sides_of(search, is_object ? PointsOf::object : PointsOf::scene);
   const std::int32_t points_patch = is_object ? contact.object_patch : contact.scene_patch;
   const std::int32_t planes_patch = is_object ? contact.scene_patch : contact.object_patch;

@@ -77,9 +77,9 @@ void make_list(RowSearch& search, const Contact& contact, const PairReach& reach
   const std::int64_t left_out = search.left_out;
   std::array<std::size_t, 3> ends{};
   scratch.listed.clear();
-  list_vertices(search, PairKind::object_vertices, contact, slab, reach, scratch);
+  list_vertices(search, FeatureKind::object_vertices, contact, slab, reach, scratch);
   ends[0] = scratch.listed.size();
-  list_vertices(search, PairKind::scene_vertices, contact, slab, reach, scratch);
+  list_vertices(search, FeatureKind::scene_vertices, contact, slab, reach, scratch);
   ends[1] = scratch.listed.size();
   if (gather_edges(search, contact, slab, reach, scratch))
     list_edges(search, contact, slab, reach, {}, scratch);
@@ -126,7 +126,7 @@ const PairList* keep_list(RowSearch& search, const Contact& contact, RowScratch&
   return &list;
 }
 
-std::span<const RowScratch::FeaturePair> pairs_of(const PairList& list, PairKind kind) noexcept {
+std::span<const RowScratch::FeaturePair> pairs_of(const PairList& list, FeatureKind kind) noexcept {
   const auto k = static_cast<std::size_t>(kind);
   const std::size_t begin = k == 0 ? 0 : list.ends[k - 1];
   return {list.pairs.data() + begin, list.ends[k] - begin};

@@ -10,7 +10,7 @@
 namespace thigma::detail {
 
 /// What a list holds, in this order.
-enum class PairKind : std::uint8_t { object_vertices, scene_vertices, edges };
+enum class FeatureKind : std::uint8_t { object_vertices, scene_vertices, edges };
 
 /// How far features are listed.
 struct PairReach {
@@ -39,11 +39,11 @@ const RowScratch::PairList* find_list(const RowSearch& search, const Contact& co
 
 /// What a list has of a kind.
 std::span<const RowScratch::FeaturePair> pairs_of(const RowScratch::PairList& list,
-                                                  PairKind kind) noexcept;
+                                                  FeatureKind kind) noexcept;
 
 /// Appends the vertices of either patch that may touch triangles of the other, in the order of the
 /// triangles. What does not fit is counted.
-void list_vertices(RowSearch& search, PairKind kind, const Contact& contact, const Slab& slab,
+void list_vertices(RowSearch& search, FeatureKind kind, const Contact& contact, const Slab& slab,
                    const PairReach& reach, RowScratch& scratch) noexcept;
 
 /// Edges of the scene's patch that the object's may reach, into near_edges and near_cones; whether

@@ -167,7 +167,7 @@ Slab gather_vertices(RowSearch& search, const Contact& contact, RowScratch& scra
   const RowScratch::PairList* list = keep_list(search, contact, scratch);
   const PairReach reach = exact_reach(search);
   const Slab slab = list == nullptr ? find_slab(search, contact, reach.travel) : Slab{};
-  const auto gather = [&](PairKind kind, PointsOf points_of, VertexSide& side) {
+  const auto gather = [&](FeatureKind kind, PointsOf points_of, VertexSide& side) {
     if (list == nullptr) {
       scratch.listed.clear();
       list_vertices(search, kind, contact, slab, reach, scratch);
@@ -176,8 +176,8 @@ Slab gather_vertices(RowSearch& search, const Contact& contact, RowScratch& scra
                                        : pairs_of(*list, kind);
     if (!pairs.empty()) gather_side(search, sides_of(search, points_of), pairs, side.candidates);
   };
-  gather(PairKind::object_vertices, PointsOf::object, scratch.object);
-  gather(PairKind::scene_vertices, PointsOf::scene, scratch.scene);
+  gather(FeatureKind::object_vertices, PointsOf::object, scratch.object);
+  gather(FeatureKind::scene_vertices, PointsOf::scene, scratch.scene);
   return slab;
 }
 
