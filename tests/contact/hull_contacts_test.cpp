@@ -84,6 +84,45 @@ int compare(const TriangleMesh& a, const TriangleMesh& b, double size, bool lies
   return by_hulls;
 }
 
+/// The same where contacts are carried, one moving slowly; returns how many were.
+int compare_carried(const TriangleMesh& a, const TriangleMesh& b, double size, double carry) {
+  const ClodHierarchy object = build_exact_hierarchy(a), scene = build_exact_hierarchy(b);
+  const Asked asked{object, scene};
+  const double tolerance = 0.02 * size;
+  ContactQuery query{.tolerance = tolerance, .measures_hulls = true};
+  query.resolution.carry = carry;
+  ContactFront exact, front;
+  Random random{6};
+  Pose pose;
+  int carried = 0;
+  for (int i = 0; i < 400; ++i) {
+    if (i % 50 == 0) {
+      pose.position = 1.01 * size * Vec3(random.in_cube(1.0)).normalized();
+      pose.orientation = random.orientation();
+    }
+    pose.position += 2e-4 * size * Vec3(random.in_cube(1.0));
+    const Pairs truth = by_patches(asked.ask(pose, tolerance, false, exact));
+    ContactSet told = room();
+    query_contacts({object, pose}, {scene}, query, front, told);
+    const Pairs pairs = by_patches(told);
+    for (const auto& [patches, contact] : truth) EXPECT_TRUE(pairs.contains(patches)) << i;
+    for (const Contact& contact : told.contacts) {
+      carried += contact.bound > 0.0 ? 1 : 0;
+      EXPECT_GE(contact.depth, -tolerance * (1.0 + 1e-9)) << i;
+    }
+  }
+  return carried;
+}
+
+TEST(HullContacts, MissNothingWhereTheyAreCarried) {
+  for (const double size : {1e-9, 1.0, 1e3}) {
+    const TriangleMesh block = transformed(make_box(Vec3(1.0, 1.0, 1.0), {6, 6, 6}), {}, size);
+    const TriangleMesh ring = transformed(make_torus(0.6, 0.25, 32, 16), {}, size);
+    for (const double carry : {0.1, 1.0})
+      EXPECT_GT(compare_carried(ring, block, size, carry), 100) << size << ", " << carry;
+  }
+}
+
 TEST(HullContacts, MissNothingAndAreOfThePoseAlone) {
   for (const double size : {1e-9, 1.0, 1e3}) {
     const auto of_size = [&](const TriangleMesh& mesh) { return transformed(mesh, {}, size); };
