@@ -82,9 +82,10 @@ void add_resolution_options(CLI::App& verb, ResolutionOptions& o) {
   verb.add_option("--support", o.support,
                   "how the support area D of a contact is read: flood (the default) or one_ring, "
                   "around it, or patch, one for all contacts of a patch");
-  verb.add_option("--carry", o.carry,
-                  "carry contacts along until the bodies may have moved by this share of the "
-                  "tolerance; 0 measures all in each frame (the default)");
+  verb.add_option(
+      "--carry", o.carry,
+      "carry contacts along until the bodies may have moved by this share of the "
+      "tolerance; 0 measures all in each frame (the default; 0.1 with the constrained response)");
   verb.add_option("--metric", o.metric,
                   "haptic, velocity=ALPHA, view=N,l,n,f,i, or several joined by +");
 }

@@ -121,11 +121,9 @@ std::vector<std::array<double, 2>> support_areas(const TriangleMesh& mesh,
                                                  const SupportParams& params, int threads) {
   const Faces faces = list_faces(mesh, topology, params);
   std::vector<std::array<double, 2>> areas(mesh.positions.size());
-  const auto pieces = static_cast<std::size_t>(std::max(threads, 1));
-  for_each_piece(pieces, threads, [&](std::size_t piece) {
+  for_each_range(areas.size(), threads, [&](std::size_t begin, std::size_t end) {
     Flood flood{faces, std::vector<std::int32_t>(mesh.triangles.size(), -1)};
-    const std::size_t end = areas.size() * (piece + 1) / pieces;
-    for (std::size_t v = areas.size() * piece / pieces; v < end; ++v) areas[v] = areas_at(flood, v);
+    for (std::size_t v = begin; v < end; ++v) areas[v] = areas_at(flood, v);
   });
   return areas;
 }

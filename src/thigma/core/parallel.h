@@ -1,6 +1,7 @@
 #pragma once
 // Independent pieces of offline work on several threads.
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -23,6 +24,16 @@ void for_each_piece(std::size_t count, int threads, const Work& work) {
     others.emplace_back(take);
   take();
   for (std::thread& other : others) other.join();
+}
+
+/// Calls work(begin, end) for as many equal ranges below count as there are threads: what a thread
+/// sets up it uses for all of its range. As for_each_piece else.
+template <class Work>
+void for_each_range(std::size_t count, int threads, const Work& work) {
+  const auto pieces = static_cast<std::size_t>(std::max(threads, 1));
+  for_each_piece(pieces, threads, [&](std::size_t piece) {
+    work(count * piece / pieces, count * (piece + 1) / pieces);
+  });
 }
 
 }  // namespace thigma

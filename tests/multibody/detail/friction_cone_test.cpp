@@ -25,12 +25,22 @@ double room_of(const Vec3& z, double friction) {
          scale;
 }
 
+/// A cone and what it is asked about, of any size.
+struct Drawn {
+  double friction;
+  Vec3 z;
+};
+
+Drawn draw(Random& random, int i) {
+  const double friction = random.uniform(0.05, 2.0), scale = std::pow(10.0, i % 13 - 6);
+  return {friction, random.in_cube(scale)};
+}
+
 TEST(FrictionCone, TheForceIsTheNearestInTheCone) {
   Random random(11);
   int seen[3] = {};
   for (int i = 0; i < 3000; ++i) {
-    const double friction = random.uniform(0.05, 2.0), scale = std::pow(10.0, i % 13 - 6);
-    const Vec3 z = random.in_cube(scale);
+    const auto [friction, z] = draw(random, i);
     ++seen[static_cast<int>(place_of(z, friction))];
     const Vec3 f = cone_force_of(z, friction), left = z - f;
     const double rounding = 1e-14 * z.norm();
@@ -47,13 +57,12 @@ TEST(FrictionCone, ItsSlopeIsThatOfDifferences) {
   Random random(12);
   int seen[3] = {};
   for (int i = 0; i < 3000; ++i) {
-    const double friction = random.uniform(0.05, 2.0), scale = std::pow(10.0, i % 13 - 6);
-    const Vec3 z = random.in_cube(scale);
+    const auto [friction, z] = draw(random, i);
     constexpr double kStep = 1e-4;  // of |z|
     if (room_of(z, friction) < 4.0 * kStep || z.tail<2>().norm() < 0.05 * z.norm()) continue;
     ++seen[static_cast<int>(place_of(z, friction))];
     const Vec3 steps = Vec3::Constant(kStep * z.norm());
-    const auto force = [&](const Vec3& at) { return cone_force_of(at, friction); };
+    const auto force = [mu = friction](const Vec3& at) { return cone_force_of(at, mu); };
     const Mat3 expected = finite_difference_jacobian<3, 3>(force, z, steps);
     const Mat3 slope = cone_slope_of(z, friction);
     EXPECT_LE((slope - expected).cwiseAbs().maxCoeff(), 1e-9) << z.transpose() << " " << friction;

@@ -72,11 +72,9 @@ std::vector<std::int32_t> nearest_parents(const DraftTree& tree,
   BoxTree near;
   near.build(boxes_of(level, patches));
   std::vector<std::int32_t> parent(draft_of_patch.size(), -1);
-  const auto pieces = static_cast<std::size_t>(std::max(threads, 1));
-  for_each_piece(pieces, threads, [&](std::size_t piece) {
+  for_each_range(parent.size(), threads, [&](std::size_t begin, std::size_t end) {
     const BoxTree own = near;  // of one search at a time
-    const std::size_t end = parent.size() * (piece + 1) / pieces;
-    for (std::size_t i = parent.size() * piece / pieces; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i)
       if (draft_of_patch[i] >= 0)
         parent[i] = nearest_patch(tree.drafts[idx(draft_of_patch[i])].points, own, level, patches,
                                   successor[i]);

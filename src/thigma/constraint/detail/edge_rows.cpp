@@ -220,12 +220,17 @@ struct EdgeSearch {
   bool is_asked = false, is_guarded = false;  // of it, by those planes
 };
 
-void find_patch_planes(const RowSearch& search, EdgeSearch& edges, RowScratch& scratch) noexcept {
-  if (edges.has_planes) return;
+const Slab& slab_of(const RowSearch& search, EdgeSearch& edges) noexcept {
   if (edges.slab.object_axis.isZero(0.0))
     edges.slab = find_slab(search, edges.contact, search.reach.travel);
-  keep_near(*search.object.features, edges.contact.object_patch, edges.slab.object_axis,
-            edges.slab.object_least, scratch.near_object);
+  return edges.slab;
+}
+
+void find_patch_planes(const RowSearch& search, EdgeSearch& edges, RowScratch& scratch) noexcept {
+  if (edges.has_planes) return;
+  const Slab& slab = slab_of(search, edges);
+  keep_near(*search.object.features, edges.contact.object_patch, slab.object_axis,
+            slab.object_least, scratch.near_object);
   find_planes(search, edges.contact.scene_patch, scratch);
   edges.has_planes = true;
 }
@@ -248,13 +253,12 @@ std::span<const RowScratch::FeaturePair> find_pairs(RowSearch& search, EdgeSearc
                                                     RowScratch& scratch) noexcept {
   if (const RowScratch::PairList* list = find_list(search, edges.contact, scratch))
     return pairs_of(*list, FeatureKind::edges);
-  if (edges.slab.object_axis.isZero(0.0))
-    edges.slab = find_slab(search, edges.contact, search.reach.travel);
+  const Slab& slab = slab_of(search, edges);
   scratch.listed.clear();
   const PairReach reach = exact_reach(search);
-  if (!gather_edges(search, edges.contact, edges.slab, reach, scratch)) return {};
+  if (!gather_edges(search, edges.contact, slab, reach, scratch)) return {};
   find_patch_planes(search, edges, scratch);
-  list_edges(search, edges.contact, edges.slab, reach, scratch.planes, scratch);
+  list_edges(search, edges.contact, slab, reach, scratch.planes, scratch);
   return scratch.listed;
 }
 

@@ -46,11 +46,8 @@ bool holds(const PairList& list, const RowSearch& search, const Contact& contact
 /// The likely way is of two models.
 bool outlives_frames(const RowSearch& search) noexcept {
   constexpr double kModels = 2.0, kFrames = 4.0;
-  const LikelyWay& way = search.reach.way;
-  if (!way.is_known) return true;
-  const double arm = search.reach.turn > 0.0 ? search.reach.travel / search.reach.turn : 0.0;
-  const double most = way.linear.norm() + arm * way.turn.norm();
-  return kFrames * most / kModels <= kMargin * search.reach.travel;
+  if (!search.reach.way.is_known) return true;
+  return kFrames * length_of_way(search.reach) / kModels <= kMargin * search.reach.travel;
 }
 
 /// Some lists are made for less, so that not all end in one frame.

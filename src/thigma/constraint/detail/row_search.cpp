@@ -21,8 +21,7 @@ double farthest_along(const SurfaceFeatures& features, std::int32_t patch,
 LikelyWay placed_way(const RowReach& reach, const Pose& scene_from_world) noexcept {
   LikelyWay way = reach.way;
   if (!way.is_known) return way;
-  const double arm = reach.turn > 0.0 ? reach.travel / reach.turn : 0.0;
-  const double most = way.linear.norm() + arm * way.turn.norm();
+  const double most = length_of_way(reach);
   const double share = most > reach.travel ? reach.travel / most : 1.0;
   way.linear = share * scene_from_world.orientation._transformVector(way.linear);
   way.turn = share * scene_from_world.orientation._transformVector(way.turn);
@@ -35,6 +34,11 @@ double size_of(const PlacedFeatures& placed) noexcept {
 }
 
 }  // namespace
+
+double length_of_way(const RowReach& reach) noexcept {
+  const double arm = reach.turn > 0.0 ? reach.travel / reach.turn : 0.0;
+  return reach.way.linear.norm() + arm * reach.way.turn.norm();
+}
 
 RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   const PlacedFeatures &object = pair.object, &scene = pair.scene;

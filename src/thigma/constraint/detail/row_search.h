@@ -36,6 +36,9 @@ struct RowSearch {
   std::int64_t left_out = 0;
 };
 
+/// How far any point of the object goes by the likely way, at most [m].
+double length_of_way(const RowReach& reach) noexcept;
+
 RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept;
 
 /// The slab of a contact along its normal, for so much travel [m].
