@@ -445,6 +445,13 @@ double height_on(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
   return coarse_height(t, at) + t.carried.dot(displacement_at(*patch.texture, texel_of(t, at)));
 }
 
+double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& t) noexcept {
+  const TexelBounds& bounds = bounds_under(*patch.texture, t.triangle);
+  const Vec3 low = detail::texel_vector(bounds.low).head<3>(),
+             high = detail::texel_vector(bounds.high).head<3>();
+  return t.carried.cwiseProduct(low).cwiseMax(t.carried.cwiseProduct(high)).sum();
+}
+
 bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,
                 Vec2& place) noexcept {
   return look_below(patch, t, at, place) == Found::on;

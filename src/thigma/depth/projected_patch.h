@@ -155,6 +155,9 @@ double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near
 double height_on(const ProjectedPatch& patch, const ProjectedTriangle& triangle,
                  const Vec2& at) noexcept;
 
+/// No place of a triangle has more of height_on above its coarse height [m].
+double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& triangle) noexcept;
+
 /// The coarse point of a triangle whose fine point lies over `at` of the plane: where it lies.
 /// False where it is beside the triangle, or where the fine surface turns over on the way.
 bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& triangle, const Vec2& at,
