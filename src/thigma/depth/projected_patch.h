@@ -75,6 +75,7 @@ struct ProjectedTriangle {
 struct HiddenTriangle {
   PlaneBox box;
   double highest = 0.0;  // of its corners, along the facing direction [m]
+  std::int32_t triangle = -1;
 };
 
 /// A patch prepared for one contact. Any content is valid to project into; vectors keep their
@@ -84,6 +85,7 @@ struct ProjectedPatch {
   Facing facing = Facing::along;
   Vec3 direction_body = Vec3::UnitZ();        // the facing direction in the texture's body frame
   Mat3 contact_from_body = Mat3::Identity();  // rotation only
+  Vec3 shift = Vec3::Zero();                  // of the body's origin [m; contact frame]
   std::vector<ProjectedTriangle> triangles;   // those that face the right way
   // beside them: seen over `triangles` where their own fine surface is not
   std::vector<ProjectedTriangle> around;

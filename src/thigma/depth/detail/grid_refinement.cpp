@@ -7,6 +7,7 @@
 
 #include <xmmintrin.h>
 
+#include "thigma/depth/detail/fine_sheets.h"
 #include "thigma/depth/detail/rim_search.h"
 
 namespace thigma::detail {
@@ -176,7 +177,10 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   const MapGrid& grid = maps.grid;
   result.at = grid.at(best.column, best.row);
   result.depth[0] = static_cast<double>(best.sum);
-  if (!params.is_polished) return;
+  if (!params.is_polished) {
+    result.is_height_field = is_upright(prepared, result.at);
+    return;
+  }
   bind_near(prepared);
   Rivals rivals = rivals_of(sum_maps(maps.object, maps.scene, prepared.sums), grid, best);
   for (Rival& rival : rivals) look_closer(prepared, grid, reading_of(params), rival);
@@ -184,6 +188,7 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   rivals = rivals_on_rims(prepared, kRimApart * grid.spacing().minCoeff(), deepest);
   for (Rival& rival : rivals) raise_to_depth(prepared, rival);
   climb_from(prepared, 2.0 * kRimApart * grid.spacing(), rivals, deepest, result);
+  settle_height_field(prepared, grid.spacing(), result);
 }
 
 }  // namespace thigma::detail
