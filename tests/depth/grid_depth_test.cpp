@@ -115,6 +115,46 @@ TEST(GridDepth, finds_crests_that_lie_between_samples) {
   EXPECT_LT(missed, 0.05) << "0.065 with one summit looked at";
 }
 
+// A slanting end of one side cuts a narrow hill of the other beside its top: what is left of it is
+// less than a cell wide, and the deepest place is on the end.
+TEST(GridDepth, finds_the_deepest_place_on_the_end_of_a_patch) {
+  Random random(13);
+  constexpr double kSide = 0.02, kHeight = 5e-4, kRadius = 3e-4, kSlope = kHeight / kRadius;
+  constexpr int kTexels = 513;
+  const double texel = kSide / (kTexels - 1);
+  const auto grid = make_grid_depth({});
+  double worst = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    TextureSource source = test::plate_source(
+        random, {.size = kSide, .cells = 1, .texels = kTexels, .amplitude = 0.0, .bend = 0.0});
+    const Vec2 top(0.3 * kSide * random.uniform(-1.0, 1.0),
+                   0.3 * kSide * random.uniform(-1.0, 1.0));
+    for (int k = 0; k < kTexels * kTexels; ++k) {
+      const Vec2 at = texel * Vec2(k % kTexels, k / kTexels) - Vec2::Constant(0.5 * kSide);
+      const double height = std::max(kHeight - kSlope * (at - top).norm(), 0.0);
+      source.texels[static_cast<std::size_t>(k)].z = static_cast<float>(height);
+    }
+    const HapticTexture hill = make_texture(std::move(source), "hill");
+    // The end passes the top at a distance, which lies outside.
+    const double angle = random.uniform(-3.0, 3.0), aside = kRadius * random.uniform(0.3, 0.7);
+    const Vec3 out(cosine(angle), sine(angle), 0.0), along(-out.y(), out.x(), 0.0);
+    const Vec3 end = Vec3(top.x(), top.y(), 0.0) - aside * out;
+    TriangleMesh mesh;
+    mesh.positions = {end + 3.0 * kSide * along, end - 3.0 * kSide * along,
+                      end - 3.0 * kSide * out};
+    mesh.triangles = {{0, 1, 2}};
+    const HapticTexture cut = make_plain_texture(mesh, "cut");
+    const std::vector<std::int32_t> both = test::all_triangles(hill), only = {0};
+    DepthContact contact;
+    contact.object = {&hill, both, Pose{}};
+    contact.scene = {&cut, only, Pose{}};
+    const double want = kHeight - kSlope * aside, got = test::depth_of(*grid, contact).depth[0];
+    worst = std::max(worst, std::fabs(got - want));
+  }
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_LT(worst, 0.5 * texel * kSlope) << "missed by as much as what is left, where it was not";
+}
+
 TEST(GridDepth, scalar_and_widest_are_the_same) {
   Random random(2);
   const auto scalar = make_grid_depth({.width = SpanWidth::scalar});

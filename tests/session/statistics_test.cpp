@@ -69,6 +69,7 @@ TEST(ContactStatistics, AddsUp) {
   s.query_cpu = 1e-3;
   s.step_cpu = 2e-3;
   s.depth_max = -1e-4;
+  s.texture_sheets = 4;
   s.texture_coarse = 3;
   s.texture_bent = 2;
   s.texture_left_out = 1;
@@ -76,6 +77,7 @@ TEST(ContactStatistics, AddsUp) {
   s.depth_max = -2e-4;
   accumulate(*t, s);
   EXPECT_EQ(t->depth_max, -1e-4);
+  EXPECT_EQ(t->texture_sheets, 8u);
   EXPECT_EQ(t->texture_coarse, 6u);
   EXPECT_EQ(t->texture_bent, 4u);
   EXPECT_EQ(t->texture_left_out, 2u);

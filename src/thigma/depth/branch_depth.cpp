@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "thigma/depth/depth.h"
+#include "thigma/depth/detail/fine_sheets.h"
 #include "thigma/depth/detail/near_maxima.h"
 #include "thigma/depth/detail/texel_pair.h"
 
@@ -72,7 +73,8 @@ class BranchDepth final : public DepthBackend {
     result.is_found = true;
     result.depth[0] = best.depth;
     result.at = best.at;
-    result.is_height_field = detail::is_upright(prepared_, best.at);
+    const double texel = detail::finer_texel(contact);
+    detail::settle_height_field(prepared_, Vec2(texel, texel), result);
     collect_near(request.near, result);
     if (request.has_differences) sample_moved(contact, request, best, result);
   }

@@ -37,7 +37,6 @@ class GridDepth final : public DepthBackend {
     if (best.column < 0) return;
     result.is_found = true;
     detail::climb_to_maximum(params_, prepared_, {object_, scene_, grid}, best, result);
-    result.is_height_field = detail::is_upright(prepared_, result.at);
     if (request.near > 0.0) {
       detail::collect_near(object_, scene_, grid, request.near, result);
     } else {

@@ -323,12 +323,13 @@ struct Corners {
   PlaneBox box;
 };
 
-Corners corners_of(const ProjectedPatch& patch, const Vec3& shift, std::int32_t triangle) noexcept {
+Corners corners_of(const ProjectedPatch& patch, std::int32_t triangle) noexcept {
   const TriangleMesh& coarse = patch.texture->coarse;
   Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int32_t v = coarse.triangles[static_cast<std::size_t>(triangle)][k];
-    corners.at[k] = patch.contact_from_body * coarse.positions[static_cast<std::size_t>(v)] + shift;
+    corners.at[k] =
+        patch.contact_from_body * coarse.positions[static_cast<std::size_t>(v)] + patch.shift;
     corners.box.low = corners.box.low.cwiseMin(corners.at[k].head<2>());
     corners.box.high = corners.box.high.cwiseMax(corners.at[k].head<2>());
   }
@@ -404,14 +405,13 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   patch.contact_from_body = frame.world_from_contact.transpose() * world_from_axes;
   patch.direction_body = sign_of(facing) * patch.contact_from_body.row(2).transpose();
   patch.sideways = sideways_of(side.texture->pyramid.back().cells.front(), patch.contact_from_body);
-  const Vec3 shift =
-      frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
+  patch.shift = frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
   ProjectedTriangle projected;
   for (const std::int32_t index : side.triangles) {
-    const Corners corners = corners_of(patch, shift, index);
+    const Corners corners = corners_of(patch, index);
     if (!may_reach(patch, corners.box, over)) continue;
     if (is_hidden(patch, corners)) {
-      patch.hidden.push_back({corners.box, highest(patch, corners)});
+      patch.hidden.push_back({corners.box, highest(patch, corners), index});
     } else if (project_triangle(patch, corners, index, projected)) {
       patch.triangles.push_back(projected);
       patch.box.low = patch.box.low.cwiseMin(corners.box.low);
@@ -420,7 +420,7 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   }
   const PlaneBox own = intersection(patch.box, over);
   for (const std::int32_t index : side.around) {
-    const Corners corners = corners_of(patch, shift, index);
+    const Corners corners = corners_of(patch, index);
     if (!may_reach(patch, corners.box, own) || is_hidden(patch, corners)) continue;
     if (project_triangle(patch, corners, index, projected) && overlap(projected.fine, own))
       patch.around.push_back(projected);
@@ -443,6 +443,13 @@ bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
 
 double height_on(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at) noexcept {
   return coarse_height(t, at) + t.carried.dot(displacement_at(*patch.texture, texel_of(t, at)));
+}
+
+double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& t) noexcept {
+  const TexelBounds& bounds = bounds_under(*patch.texture, t.triangle);
+  const Vec3 low = detail::texel_vector(bounds.low).head<3>(),
+             high = detail::texel_vector(bounds.high).head<3>();
+  return t.carried.cwiseProduct(low).cwiseMax(t.carried.cwiseProduct(high)).sum();
 }
 
 bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,

@@ -75,6 +75,7 @@ struct ProjectedTriangle {
 struct HiddenTriangle {
   PlaneBox box;
   double highest = 0.0;  // of its corners, along the facing direction [m]
+  std::int32_t triangle = -1;
 };
 
 /// A patch prepared for one contact. Any content is valid to project into; vectors keep their
@@ -84,6 +85,7 @@ struct ProjectedPatch {
   Facing facing = Facing::along;
   Vec3 direction_body = Vec3::UnitZ();        // the facing direction in the texture's body frame
   Mat3 contact_from_body = Mat3::Identity();  // rotation only
+  Vec3 shift = Vec3::Zero();                  // of the body's origin [m; contact frame]
   std::vector<ProjectedTriangle> triangles;   // those that face the right way
   // beside them: seen over `triangles` where their own fine surface is not
   std::vector<ProjectedTriangle> around;
@@ -154,6 +156,9 @@ double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near
 /// where that is steeper. What height maps hold.
 double height_on(const ProjectedPatch& patch, const ProjectedTriangle& triangle,
                  const Vec2& at) noexcept;
+
+/// No place of a triangle has more of height_on above its coarse height [m].
+double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& triangle) noexcept;
 
 /// The coarse point of a triangle whose fine point lies over `at` of the plane: where it lies.
 /// False where it is beside the triangle, or where the fine surface turns over on the way.

@@ -73,7 +73,7 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
   }
   sample.mandatory_tests = scratch.contacts.stats.mandatory_tests;
   sample.unrefined = scratch.contacts.stats.unrefined;
-  sample.texture_depths = sample.texture_folds = 0;
+  sample.texture_depths = sample.texture_folds = sample.texture_sheets = 0;
   sample.texture_coarse = sample.texture_bent = 0;
   sample.texture_left_out = 0;
   if (world.textures.is_empty() || world.potential) return;
@@ -92,6 +92,7 @@ void describe_contacts(const ContactWorld& world, const ContactScratch& scratch,
     if (!depth.is_found) continue;
     ++sample.texture_depths;
     sample.texture_folds += depth.is_height_field ? 0 : 1;
+    sample.texture_sheets += depth.is_of_sheets ? 1 : 0;
   }
 }
 

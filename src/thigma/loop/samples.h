@@ -110,6 +110,7 @@ struct ContactSample {
   std::int32_t texture_depths = 0;  // that textures gave
   // of these, where a fine surface is no height field at the deepest place
   std::int32_t texture_folds = 0;
+  std::int32_t texture_sheets = 0;  // of these, depths of the displaced texels themselves
   // where textures were sampled too coarsely, where a bent row leaves out more than 1 % of the
   // relief, and peaks for want of room (ReliefStats)
   std::int32_t texture_coarse = 0, texture_bent = 0;

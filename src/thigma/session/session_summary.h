@@ -82,8 +82,8 @@ struct HapticTotals {
 /// Likewise in the contact frames: sums over updates. Thread: one writer.
 struct ContactTotals {
   std::uint64_t unrefined = 0, level_changes = 0;  // contacts
-  // depths by textures; of these where a surface is no height field
-  std::uint64_t texture_depths = 0, texture_folds = 0;
+  // depths by textures; of these where a surface is no height field, and of these by its sheets
+  std::uint64_t texture_depths = 0, texture_folds = 0, texture_sheets = 0;
   // see ContactSample
   std::uint64_t texture_coarse = 0, texture_bent = 0, texture_left_out = 0;
   double bound_max = 0.0;                                                 // of all contacts [m]
@@ -188,6 +188,7 @@ void visit_contact(const SessionSummary& s, Visit&& visit) {
   visit.group("texture", true, [&] {
     visit("depths", s.texture_depths);
     visit("not_height_field", s.texture_folds);
+    visit("by_sheets", s.texture_sheets);
     visit("coarse", s.texture_coarse);
     visit("bent", s.texture_bent);
     visit("left_out", s.texture_left_out);

@@ -75,6 +75,7 @@ void accumulate(ContactStatistics& statistics, const ContactSample& sample) THIG
   statistics.level_changes += static_cast<std::uint64_t>(sample.level_changes);
   statistics.texture_depths += static_cast<std::uint64_t>(sample.texture_depths);
   statistics.texture_folds += static_cast<std::uint64_t>(sample.texture_folds);
+  statistics.texture_sheets += static_cast<std::uint64_t>(sample.texture_sheets);
   statistics.texture_coarse += static_cast<std::uint64_t>(sample.texture_coarse);
   statistics.texture_bent += static_cast<std::uint64_t>(sample.texture_bent);
   statistics.texture_left_out += static_cast<std::uint64_t>(sample.texture_left_out);

@@ -215,7 +215,6 @@ class GpuBackend final : public DepthBackend {
          !read_map(plain_map(i, true), grid, scene_)))
       return fail(maps_->why());
     climb_to_maximum(params_.grid, prepared, {object_, scene_, grid}, best, result);
-    result.is_height_field = is_upright(prepared, result.at);
     if (request.near > 0.0) {
       collect_near(object_, scene_, grid, request.near, result);
     } else {

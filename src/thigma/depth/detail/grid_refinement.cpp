@@ -7,7 +7,8 @@
 
 #include <xmmintrin.h>
 
-#include "thigma/core/static_vector.h"
+#include "thigma/depth/detail/fine_sheets.h"
+#include "thigma/depth/detail/rim_search.h"
 
 namespace thigma::detail {
 namespace {
@@ -80,20 +81,9 @@ float tent_height(const Sums& sums, const MapMaximum& summit) noexcept {
          0.5f * std::fabs(sum_at(column, row + 1) - sum_at(column, row - 1));
 }
 
-constexpr int kLooked = 8;       // summits that are looked at more closely
-constexpr int kClimbs = 3;       // of them climbed from, at most
+constexpr int kClimbs = 3;       // of summits at most, and of places on rims
 constexpr int kFine = 16;        // samples each way of the closer look
 constexpr double kAround = 1.5;  // cells it goes each way from the summit
-
-// A summit of a part of the grid, and how high it may be: as a tent between its samples, then from
-// a closer look [m].
-struct Rival {
-  double hope = kNoDepth;
-  Vec2 at = Vec2::Zero();
-};
-using Rivals = StaticVector<Rival, kLooked>;
-
-bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < b.hope; }
 
 // The best sample, and those with the highest tents. Crests narrower than the grid are as likely to
 // be the maximum as broad ones.
@@ -105,11 +95,8 @@ Rivals rivals_of(const Sums& sums, const MapGrid& grid, const MapMaximum& best) 
       const MapMaximum here = best_of_part(sums, column, row);
       const bool is_best = here.column == best.column && here.row == best.row;
       if (is_best || !(here.sum > kEmptySample) || !is_summit(sums, here)) continue;
-      const Rival rival{static_cast<double>(tent_height(sums, here)),
-                        grid.at(here.column, here.row)};
-      if (rivals.push_back(rival)) continue;
-      Rival& lowest = *std::min_element(rivals.begin(), rivals.end(), is_lower);
-      if (is_lower(lowest, rival)) lowest = rival;
+      add_rival({static_cast<double>(tent_height(sums, here)), grid.at(here.column, here.row)},
+                rivals);
     }
   }
   return rivals;
@@ -134,6 +121,31 @@ void look_closer(PreparedContact& prepared, const MapGrid& grid, const MapReadin
       tent_height(sum_maps(prepared.fine_object, prepared.fine_scene, prepared.sums), best);
   rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) +
                static_cast<double>(tent - best.sum);
+}
+
+// Along a rim, of the grid's spacing: about as near as the samples of a closer look.
+constexpr double kRimApart = 0.25;
+
+// Maps are of first order: the depth itself says how high the tent stands.
+void raise_to_depth(const PreparedContact& prepared, Rival& rival) noexcept {
+  NearFeet feet;
+  const double depth = depth_near(prepared, rival.at, feet);
+  rival.hope = depth == kNoDepth ? kNoDepth : depth + rival.tent;
+}
+
+// Climbs from the highest rivals while they may be deeper than what is known; returns what then is.
+double climb_from(const PreparedContact& prepared, const Vec2& spacing, Rivals& rivals,
+                  double deepest, DepthSamples& result) noexcept {
+  for (int k = 0; k < kClimbs && !rivals.empty(); ++k) {
+    Rival& rival = *std::max_element(rivals.begin(), rivals.end(), is_lower);
+    if (!(rival.hope > deepest)) break;
+    rival.hope = kNoDepth;
+    const double depth = climb(prepared, spacing, rival.at);
+    if (!(depth > deepest)) continue;
+    result.depth[0] = deepest = depth;
+    result.at = rival.at;
+  }
+  return deepest;
 }
 
 }  // namespace
@@ -165,20 +177,18 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   const MapGrid& grid = maps.grid;
   result.at = grid.at(best.column, best.row);
   result.depth[0] = static_cast<double>(best.sum);
-  if (!params.is_polished) return;
+  if (!params.is_polished) {
+    result.is_height_field = is_upright(prepared, result.at);
+    return;
+  }
   bind_near(prepared);
   Rivals rivals = rivals_of(sum_maps(maps.object, maps.scene, prepared.sums), grid, best);
   for (Rival& rival : rivals) look_closer(prepared, grid, reading_of(params), rival);
-  double deepest = kNoDepth;
-  for (int k = 0; k < kClimbs; ++k) {
-    Rival& rival = *std::max_element(rivals.begin(), rivals.end(), is_lower);
-    if (!(rival.hope > deepest)) break;
-    rival.hope = kNoDepth;
-    const double depth = climb(prepared, grid.spacing(), rival.at);
-    if (!(depth > deepest)) continue;
-    result.depth[0] = deepest = depth;
-    result.at = rival.at;
-  }
+  double deepest = climb_from(prepared, grid.spacing(), rivals, kNoDepth, result);
+  rivals = rivals_on_rims(prepared, kRimApart * grid.spacing().minCoeff(), deepest);
+  for (Rival& rival : rivals) raise_to_depth(prepared, rival);
+  climb_from(prepared, 2.0 * kRimApart * grid.spacing(), rivals, deepest, result);
+  settle_height_field(prepared, grid.spacing(), result);
 }
 
 }  // namespace thigma::detail

@@ -25,10 +25,11 @@ struct RenderedMaps {
   const MapGrid& grid;
 };
 
-/// Sets depth[0] and where it is: the best sample, or if asked for the deepest place that is
-/// climbed to. The highest peak may lie between samples that are not the highest: the most
-/// promising summits are sampled more finely, and climbed from while they may be higher than what
-/// is found.
+/// Sets depth[0], where it is, and whether the sides are height fields there: the best sample, or
+/// if asked for the deepest place that is climbed to. The highest peak may lie between samples that
+/// are not the highest: the most promising summits are sampled more finely, and climbed from while
+/// they may be higher than what is found. So are places along the ends of the patches. Where the
+/// sides are no height fields their sheets are searched.
 ///
 /// maps  heights are not looked at where nothing is climbed to
 /// best  sample of the sum of the maps

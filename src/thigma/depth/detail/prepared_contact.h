@@ -11,6 +11,11 @@ struct NearTriangles {
   std::int32_t object = -1, scene = -1;
 };
 
+/// An edge of a projected triangle by its vertices: 3 x triangle + corner it starts from.
+struct PatchEdge {
+  std::int32_t low = -1, high = -1, edge = -1;
+};
+
 /// A contact in its own frame: both sides projected, and where they may meet.
 struct PreparedContact {
   ContactFrame frame;
@@ -20,6 +25,7 @@ struct PreparedContact {
   HeightMap fine_object, fine_scene;    // memory of a closer look
   NearSurface near_object, near_scene;  // and of a climb
   std::vector<float> sums;              // of both maps
+  std::vector<PatchEdge> edges;         // of one side
 };
 
 /// Projects both sides of a contact, the object along n and the scene against it; over: as of

@@ -1,0 +1,148 @@
+#include "thigma/depth/detail/rim_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "thigma/core/index.h"
+#include "thigma/math/plane_cross.h"
+
+namespace thigma::detail {
+namespace {
+
+/// A part of a line through the plane, from one share of it to another.
+struct Part {
+  Vec2 from = Vec2::Zero(), way = Vec2::Zero();
+  double low = 0.0, high = 1.0;
+  bool is_empty() const noexcept { return !(low <= high); }
+  Vec2 at(double share) const noexcept { return from + share * way; }
+};
+
+/// Leaves what has `inside` + share * `by` not below zero.
+void cut(double inside, double by, Part& part) noexcept {
+  if (by > 0.0) {
+    part.low = std::max(part.low, -inside / by);
+  } else if (by < 0.0) {
+    part.high = std::min(part.high, -inside / by);
+  } else if (inside < 0.0) {
+    part.high = part.low - 1.0;
+  }
+}
+
+Part within(Part part, const PlaneBox& box) noexcept {
+  for (int k = 0; k < 2; ++k) {
+    cut(part.from[k] - box.low[k], part.way[k], part);
+    cut(box.high[k] - part.from[k], -part.way[k], part);
+  }
+  return part;
+}
+
+Part over(Part part, const ProjectedTriangle& t) noexcept {
+  for (std::size_t k = 0; k < 3; ++k)
+    cut(cross(t.edges[k], part.from - t.at[k]), cross(t.edges[k], part.way), part);
+  return part;
+}
+
+/// All edges of a patch by their vertices, so that those of two triangles lie beside each other.
+void sort_edges(const ProjectedPatch& patch, std::vector<PatchEdge>& edges) noexcept {
+  edges.clear();
+  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    const auto& corners = patch.texture->coarse.triangles[idx(patch.triangles[i].triangle)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      edges.push_back({low, high, static_cast<std::int32_t>(3 * i + k)});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const PatchEdge& a, const PatchEdge& b) {
+    return std::tie(a.low, a.high, a.edge) < std::tie(b.low, b.high, b.edge);
+  });
+}
+
+/// One side's rim over the other side's triangles.
+class RimOver {
+ public:
+  RimOver(const PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
+          double apart) noexcept
+      : prepared_(prepared), rim_(rim), other_(other), apart_(apart) {}
+
+  void add_edge(std::int32_t edge, double deepest, Rivals& rivals) const noexcept {
+    const ProjectedTriangle& t = rim_.triangles[idx(edge / 3)];
+    const std::size_t k = idx(edge % 3);
+    const Part whole = within({.from = t.at[k], .way = t.at[(k + 1) % 3] - t.at[k]}, prepared_.box);
+    if (whole.is_empty()) return;
+    PlaneBox box{whole.at(whole.low), whole.at(whole.low)};
+    box.low = box.low.cwiseMin(whole.at(whole.high));
+    box.high = box.high.cwiseMax(whole.at(whole.high));
+    const double own = most_relief(rim_, t);
+    for (const ProjectedTriangle& u : other_.triangles) {
+      if (!overlap(u.box, box)) continue;
+      const Part part = over(whole, u);
+      if (part.is_empty()) continue;
+      const double bound =
+          std::max(ground(t, u, part.at(part.low)), ground(t, u, part.at(part.high))) + own +
+          most_relief(other_, u);
+      if (bound > deepest) add_part(t, u, part, rivals);
+    }
+  }
+
+ private:
+  static double ground(const ProjectedTriangle& t, const ProjectedTriangle& u,
+                       const Vec2& at) noexcept {
+    return t.height_origin + t.height_by_at.dot(at) + u.height_origin + u.height_by_at.dot(at);
+  }
+
+  // The highest sample of a part, and how high a tent over it and those beside it stands.
+  void add_part(const ProjectedTriangle& t, const ProjectedTriangle& u, const Part& part,
+                Rivals& rivals) const noexcept {
+    constexpr int kLeast = 4, kMost = 64;  // steps
+    const double length = (part.high - part.low) * part.way.norm();
+    const int steps = static_cast<int>(std::clamp<double>(length / apart_ + 1.0, kLeast, kMost));
+    std::array<double, kMost + 1> sums;
+    const auto place = [&](int i) -> Vec2 {
+      return part.at(part.low + (part.high - part.low) * i / steps);
+    };
+    for (int i = 0; i <= steps; ++i)
+      sums[idx(i)] = height_on(rim_, t, place(i)) + height_on(other_, u, place(i));
+    const auto best = std::max_element(sums.begin(), sums.begin() + steps + 1);
+    const int i = static_cast<int>(best - sums.begin());
+    const double before = sums[idx(std::max(i - 1, 0))], after = sums[idx(std::min(i + 1, steps))];
+    const double tent = 0.5 * std::fabs(after - before);
+    add_rival({*best + tent, place(i), tent}, rivals);
+  }
+
+  const PreparedContact& prepared_;
+  const ProjectedPatch &rim_, &other_;
+  double apart_;
+};
+
+void add_rim(PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
+             double apart, double deepest, Rivals& rivals) noexcept {
+  std::vector<PatchEdge>& edges = prepared.edges;
+  sort_edges(rim, edges);
+  const RimOver over_other(prepared, rim, other, apart);
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
+      ++end;
+    if (end == i + 1) over_other.add_edge(edges[i].edge, deepest, rivals);
+    i = end;
+  }
+}
+
+}  // namespace
+
+void add_rival(const Rival& rival, Rivals& rivals) noexcept {
+  if (rivals.push_back(rival)) return;
+  Rival& lowest = *std::min_element(rivals.begin(), rivals.end(), is_lower);
+  if (is_lower(lowest, rival)) lowest = rival;
+}
+
+Rivals rivals_on_rims(PreparedContact& prepared, double apart, double deepest) noexcept {
+  Rivals rivals;
+  add_rim(prepared, prepared.object, prepared.scene, apart, deepest, rivals);
+  add_rim(prepared, prepared.scene, prepared.object, apart, deepest, rivals);
+  return rivals;
+}
+
+}  // namespace thigma::detail

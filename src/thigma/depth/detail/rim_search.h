@@ -1,0 +1,35 @@
+#pragma once
+// Where the ends of the patches hold a maximum of the depth: a place that the samples of a grid
+// miss when less than a cell of it is left over both.
+
+#include "thigma/core/static_vector.h"
+#include "thigma/depth/detail/prepared_contact.h"
+
+namespace thigma::detail {
+
+/// A place to climb from, and how high it may be [m].
+struct Rival {
+  double hope = kNoDepth;
+  Vec2 at = Vec2::Zero();
+  double tent = 0.0;  // of the hope, what is more than a sample [m]
+};
+
+inline constexpr std::size_t kMostRivals = 8;
+using Rivals = StaticVector<Rival, kMostRivals>;
+
+inline bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < b.hope; }
+
+/// Adds a rival; where there is no room the lowest has to be lower, and goes.
+void add_rival(const Rival& rival, Rivals& rivals) noexcept;
+
+/// The highest places along the rims of both patches, over the other one, each of one edge over one
+/// triangle. An edge is of the rim where no triangle of the patch lies on its other side. Bounds of
+/// the relief leave out what cannot be as deep as what is known.
+///
+/// apart    of samples along an edge; short parts have five [m]
+/// deepest  that is known [m]
+/// Thread   [contact]; no failure. After bind_near. Allocates when a patch has more triangles than
+///          any before.
+Rivals rivals_on_rims(PreparedContact& prepared, double apart, double deepest) noexcept;
+
+}  // namespace thigma::detail
