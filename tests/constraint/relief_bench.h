@@ -18,7 +18,7 @@ struct ReliefBench {
                         "hill");
   }
 
-  HapticTexture object = hill(20.0), scene = hill(30.0);
+  HapticTexture object, scene;
   ClodHierarchy object_tree = build_exact_hierarchy(object.coarse),
                 scene_tree = build_exact_hierarchy(scene.coarse);
   SceneBody body{&scene_tree, Pose{}};
@@ -30,7 +30,9 @@ struct ReliefBench {
   ContactSet contacts;
   ReliefScratch scratch;
 
-  ReliefBench() {
+  /// Curvatures of the hills [1/m].
+  explicit ReliefBench(double of_object = 20.0, double of_scene = 30.0)
+      : object(hill(of_object)), scene(hill(of_scene)) {
     world.object = make_textured_body(object, object_tree);
     world.scene = {make_textured_body(scene, scene_tree)};
     patches = find_relief_patches(world);

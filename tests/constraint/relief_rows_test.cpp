@@ -48,6 +48,31 @@ TEST(ReliefRows, GapAndGradientAreThoseOfTheDepth) {
   }
 }
 
+// A row told along its own tangent instead of the contact's plane is 46 um off here: the object
+// goes along a slope, and not square to the plane.
+TEST(ReliefRows, ASlopeIsToldAllTheWay) {
+  constexpr double kCurvature = 150.0, kTop = 6e-3, kWay = 3e-3;
+  ReliefBench bench(kCurvature, kCurvature);
+  // Down the hill, so that the surfaces lean; a parabola on a parabola.
+  const double lean = kCurvature * kTop / 2.0;
+  const Pose start{Vec3(kTop, 0.0, -0.5 * lean * kTop), Quat::Identity()};
+  bench.ask(start, kWay);
+  ASSERT_FALSE(bench.scratch.rows.empty());
+  const auto backend = make_branch_depth({});
+  for (double way = -kWay; way <= kWay; way += 0.25 * kWay) {
+    Pose moved{start.position + Vec3(way, 0.0, 0.0), start.orientation};
+    DepthContact contact = bench.scratch.textures.contacts.at(0);
+    contact.object.world_from_body = moved * bench.body_from_mesh;
+    DepthSamples sample;
+    backend->sample({&contact, 1}, {}, {&sample, 1});
+    moved.position.z() += sample.depth[0];  // touching
+    double least = 1.0;
+    for (const FoundRow& row : bench.scratch.rows)
+      least = std::min(least, row_at(row.row, moved.position, Mat3::Identity()).gap);
+    EXPECT_NEAR(least, 0.0, 2e-5) << way;  // climbs may leave out 1.5e-5
+  }
+}
+
 TEST(ReliefRows, APlaceKeepsItsIdAsTheObjectSlides) {
   ReliefBench bench;
   bench.ask({}, kTravel);

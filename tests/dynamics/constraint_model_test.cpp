@@ -49,6 +49,8 @@ TEST(ConstraintModel, GradientsOfReliefAreThoseOfTheGapWhereItIsZero) {
   for (int trial = 0; trial < 50; ++trial) {
     ContactRow row = random_row(random, RowKind::relief);
     row.object_direction = 0.1 * random_vector(random);
+    if (trial % 2 == 1)
+      row.plane = (row.scene_direction + 0.5 * random_vector(random)).normalized();
     const Mat3 rotation = rotation_matrix(rotation_from_vector(random_vector(random)));
     Vec3 x = row.scene_point - rotation * row.object_point;
     x += 0.5 * tangents_of(row.scene_direction).first;

@@ -75,7 +75,8 @@ std::uint64_t id_at(const ReliefScratch::Known& here, double near,
   return best->id;
 }
 
-/// Row of a peak; points and directions as of FoundRow.
+/// Row of a peak; points and directions as of FoundRow. Its gap is the depth of the peak's shape,
+/// over the length of its gradient.
 FoundRow row_of(const DepthPeak& peak, const ContactFrame& frame, const Pose& world_from_object) {
   FoundRow found;
   const Mat3& axes = frame.world_from_contact;
@@ -83,12 +84,12 @@ FoundRow row_of(const DepthPeak& peak, const ContactFrame& frame, const Pose& wo
   const double length = gradient.norm();
   found.gap = -peak.depth / length;
   found.row.kind = RowKind::relief;
-  const Vec3 normal = axes * (gradient / length);
+  found.row.plane = axes.col(2);
+  found.row.scene_direction = axes * (gradient / length);
   const Vec3 point = frame.origin + axes * peak.object_point;
-  found.row.scene_direction = normal;
-  found.row.scene_point = point + found.gap * normal;
+  found.row.scene_point = point - peak.depth * found.row.plane;
   found.row.object_point = transform_point(inverse(world_from_object), point);
-  const TangentPair tangent = tangents_of(normal);
+  const TangentPair tangent = relief_frame(found.row);
   Mat2 along;
   along.col(0) = (axes.transpose() * tangent.first).head<2>();
   along.col(1) = (axes.transpose() * tangent.second).head<2>();

@@ -36,12 +36,12 @@ RowAtState relief_at(const ContactRow& row, const Vec3& position, const Mat3& ro
   const Vec3& n = row.scene_direction;
   const Vec3& bend = row.object_direction;
   const Vec3 left = row.scene_point - position - at.arm;
-  const TangentPair tangent = tangents_of(n);
+  const TangentPair tangent = relief_frame(row);
   const double first = -tangent.first.dot(left), second = -tangent.second.dot(left);
   const double by_first = bend.x() * first + bend.y() * second;
   const double by_second = bend.y() * first + bend.z() * second;
   const Vec3 slope = n + by_first * tangent.first + by_second * tangent.second;
-  const double length = slope.norm();  // at least 1
+  const double length = slope.norm();  // at least n . plane
   at.normal = slope / length;
   at.gap = (n.dot(left) - 0.5 * (by_first * first + by_second * second)) / length;
   return at;
@@ -53,6 +53,10 @@ TangentPair tangents_of(const Vec3& normal) THIGMA_RT {
   const Vec3 axis = std::fabs(normal.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
   const Vec3 first = normal.cross(axis).normalized();
   return {first, normal.cross(first)};
+}
+
+TangentPair relief_frame(const ContactRow& row) THIGMA_RT {
+  return tangents_of((row.plane.array() == 0.0).all() ? row.scene_direction : row.plane);
 }
 
 RowAtState row_at(const ContactRow& row, const Vec3& position, const Mat3& rotation) THIGMA_RT {

@@ -55,29 +55,36 @@ struct ContactRow {
   Vec3 object_point;  // the point, of the plane or of the edge [m; body frame]
   Vec3 scene_point;   // likewise of the scene [m; world]
   // object_plane: unit normal out of the object; edges: unit, along the object's [body frame];
-  // relief: how the gap bends, see `tangents_of` [1/m]; else zero
+  // relief: how the gap bends, see `relief_frame` [1/m]; else zero
   Vec3 object_direction;
   // scene_plane, relief: unit normal out of the object, into the scene; edges: unit, along the
   // scene's, so that object x scene points into the scene; else zero [world]
   Vec3 scene_direction;
+  // relief: unit normal of the plane that the bend is told along, out of the object; else zero.
+  // Zero of relief, as in recordings before there was one: scene_direction [world]
+  Vec3 plane;
   Friction friction;  // of the two materials
   std::int32_t body;  // static object of the scene
 };
 
-/// Two unit vectors across a normal, a function of it alone: what the bend of a relief row is
-/// told in. With t the way of the object's point along them since `state`, its gap there is
-/// normal . (scene_point - object's point) - 1/2 (bend.x t_1^2 + 2 bend.y t_1 t_2 + bend.z t_2^2),
-/// over the length of its gradient: in metres, to first order in the gap.
+/// Two unit vectors across a normal, a function of it alone.
 /// Thread    [haptic]; |normal| = 1.
 struct TangentPair {
   Vec3 first, second;
 };
 TangentPair tangents_of(const Vec3& normal) THIGMA_RT;
 
+/// What the bend of a relief row is told in: the tangents of its plane. With t the way of the
+/// object's point along them from scene_point, its gap there is normal . (scene_point - object's
+/// point) - 1/2 (bend.x t_1^2 + 2 bend.y t_1 t_2 + bend.z t_2^2), over the length of its gradient:
+/// in metres, to first order in the gap.
+/// Thread    [haptic].
+TangentPair relief_frame(const ContactRow& row) THIGMA_RT;
+
 /// A row of which nothing is known but its kind.
 inline ContactRow make_row(RowKind kind) THIGMA_RT {
   const Vec3 zero = Vec3::Zero();
-  return {kind, 0, zero, zero, zero, zero, Friction{}, 0};
+  return {kind, 0, zero, zero, zero, zero, zero, Friction{}, 0};
 }
 
 /// What keeps the body from entering. Part of the contact model.

@@ -55,6 +55,7 @@ void visit_row(Row& r, Visit&& visit) {
   visit.vector("scene_point", r.scene_point);
   visit.vector("object_direction", r.object_direction);
   visit.vector("scene_direction", r.scene_direction);
+  visit.unless_zero("plane", r.plane);
   visit_friction(r, visit);
   visit.unless("body", r.body, std::int32_t{0});
 }

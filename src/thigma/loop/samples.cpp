@@ -82,6 +82,9 @@ struct FieldHash {
   void unless(const char* key, Value value, Value usual) const THIGMA_RT {
     if (value != usual) (*this)(key, value);
   }
+  void unless_zero(const char* key, const Vec3& v) const THIGMA_RT {
+    if ((v.array() != 0.0).any()) vector(key, v);
+  }
   void optional_pose(const char*, bool has, const Pose& value) const THIGMA_RT {
     if (has) pose(value);
   }

@@ -96,6 +96,9 @@ struct FieldWriter {
   void unless(const char* key, Value value, Value usual) const {
     if (value != usual) (*this)(key, value);
   }
+  void unless_zero(const char* key, const Vec3& v) const {
+    if ((v.array() != 0.0).any()) vector(key, v);
+  }
   void pressing(const char* key, const PressingRows& rows) const {
     if (rows.empty()) return;
     put_list(json, out, key, rows, [](std::string& text, const PressingRow& pressing) {

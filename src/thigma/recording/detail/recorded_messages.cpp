@@ -112,6 +112,10 @@ struct FieldReader {
     read_sample_pose(json.at(key), motion.pose);
     read_twist(json.at(key), motion.twist);
   }
+  void unless_zero(const char* key, Vec3& v) const {
+    v.setZero();
+    if (json.contains(key)) vector(key, v);
+  }
   template <class Value>
   void unless(const char* key, Value& value, Value usual) const {
     value = usual;
