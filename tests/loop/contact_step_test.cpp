@@ -7,6 +7,7 @@
 #include "thigma/clod/build_hierarchy.h"
 #include "thigma/constraint/build_constraints.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/models/conforming.h"
 #include "thigma/session/session_config.h"
 
 namespace thigma {
@@ -104,6 +105,45 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   const double looked = sample.look_ahead;
   contact_step(narrow.contact, at_height(0.01 + 1e-9), little, sample);
   EXPECT_LT(sample.look_ahead, looked);
+}
+
+// Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at
+// all that is between: at rest there is none, and where more is wanted they are far apart.
+TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {
+  const ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(5000, 1));
+  const ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(5000, 1));
+  SessionConfig config;
+  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+  config.contact.object = &upper;
+  config.contact.scene = {{&lower, Pose{}}};
+  config.contact.resolution.carry = 0.1;
+  use_constraints(config);
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  // Room for all: what has none is looked at in every frame.
+  reserve_front(scratch.fronts[0], upper, lower, 300'000);
+  reserve_carried(scratch.fronts[0]);
+  ContactSample sample;
+  StampedBody body = at_height(-5e-5);  // of 0.1 mm between them
+  const auto tries_in = [&](int frames) {
+    constexpr int kMany = 1000;
+    int count = 0;
+    for (int k = 0; k < frames; ++k) {
+      body.time += 1e-3;
+      contact_step(config.contact, body, scratch, sample);
+      count += sample.tests > kMany;
+    }
+    return count;
+  };
+  tries_in(20);
+  ASSERT_LT(sample.look_ahead, config.contact.constraints->least_look_ahead);
+  const double looked = sample.look_ahead;
+  EXPECT_EQ(tries_in(200), 0);
+  EXPECT_EQ(sample.look_ahead, looked);
+  body.wanted_speed = 1.0;
+  const int tries = tries_in(200);
+  EXPECT_GE(tries, 1);
+  EXPECT_LE(tries, 4);
 }
 
 TEST(ContactStep, CountsWhatDoesNotFit) {
