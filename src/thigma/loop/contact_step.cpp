@@ -179,18 +179,15 @@ double found_tolerance(const std::vector<ContactFront>& fronts, double asked) no
   return asked;
 }
 
-/// What was too far is tried again some frames later, a step farther, where more is wanted: a try
-/// that fails looks at all that is between. After one that failed it takes twice as long.
-void note_crowd(bool is_crowded, double wanted, double last, ContactScratch& scratch) noexcept {
-  constexpr double kReturn = 1.02, kLateReturn = 1.01;  // a frame
-  constexpr double kEnough = 2.0;                       // of what is wanted
-  if (is_crowded) {
+/// What was too far is tried again some frames later, where more is wanted: a try that fails looks
+/// at all that is between.
+void note_crowd(bool is_crowded, double wanted, ContactScratch& scratch) noexcept {
+  constexpr double kReturn = 1.01;  // a frame
+  constexpr double kEnough = 2.0;   // of what is wanted
+  if (is_crowded)
     scratch.crowded_ahead = scratch.looked_ahead;
-    scratch.crowded_return = kLateReturn;
-    return;
-  }
-  if (scratch.looked_ahead > last) scratch.crowded_return = kReturn;
-  if (scratch.looked_ahead < kEnough * wanted) scratch.crowded_ahead *= scratch.crowded_return;
+  else if (scratch.looked_ahead < kEnough * wanted)
+    scratch.crowded_ahead *= kReturn;
 }
 
 /// Finest patches as near as the object wants to come until the next model, so that no coarse row
@@ -222,12 +219,12 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double models = world.textures.is_empty() ? 2.0 : 4.0;
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
-  const double last_ahead = scratch.looked_ahead;
   scratch.looked_ahead = look_ahead(*world.constraints, wanted, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
-  query.most_pairs = kMostPairs;
+  // Coarse surfaces under relief have few, and have to be known beyond the relief.
+  query.most_pairs = world.textures.is_empty() ? kMostPairs : 0;
   if (has_levels_far(world))
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
   else if (world.textures.is_empty())  // rows ask contacts which patches are near, no more
@@ -238,7 +235,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double found = found_tolerance(scratch.fronts, query.tolerance);
   const bool is_crowded = found < query.tolerance;
   if (is_crowded) scratch.looked_ahead = found - relief;
-  note_crowd(is_crowded, wanted, last_ahead, scratch);
+  note_crowd(is_crowded, wanted, scratch);
   scratch.separation = scratch.looked_ahead;
   const bool is_far = scratch.contacts.contacts.empty();
   if (!world.textures.is_empty())
@@ -248,6 +245,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   scratch.separation = kInfinity;
   for (const ContactFront& front : scratch.fronts)
     scratch.separation = std::min(scratch.separation, unreported_separation(front) - relief);
+  scratch.crowded_ahead = std::max(scratch.crowded_ahead, scratch.separation);
 }
 
 /// The rows of contacts that touch relief, and all contacts but those.

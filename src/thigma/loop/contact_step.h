@@ -38,7 +38,6 @@ struct ContactScratch {
   double looked_ahead = 0.0;                       // tolerance of the last query for rows [m]
   double separation = 0.0;       // of what that query did not report, at least [m]
   double crowded_ahead = 1e300;  // look-ahead that had too many pairs; grows again [m]
-  double crowded_return = 1.02;  // growth of that a frame, where more is wanted
 };
 
 /// Room for world.capacity contacts and a front a static object: all that find_contacts needs.

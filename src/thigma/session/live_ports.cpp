@@ -89,7 +89,6 @@ void exchange_contacts(ContactReplacement& other, ContactWorld& world,
   next.looked_ahead = scratch.looked_ahead;
   next.separation = scratch.separation;
   next.crowded_ahead = scratch.crowded_ahead;
-  next.crowded_return = scratch.crowded_return;
   other.world.response = world.response;  // as they were tuned
   other.world.most_friction = world.most_friction;
   std::swap(other.world, world);

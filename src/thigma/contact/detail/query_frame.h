@@ -53,7 +53,8 @@ inline bool is_leaf_pair(const QueryFrame& frame, std::int32_t a, std::int32_t b
 }
 
 /// By how much a pair misses d_ab = d + h(a) + h(b) (Eq. 3.5), at least; <= 0: not culled. Stops at
-/// the first bound that outlives the next frame.
+/// the spheres' bound where it outlives the next frame, at that of the known axis where it culls,
+/// which is a tenth of a search, and the search where it outlives the next frame.
 inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   ++frame.set.stats.tests;
   const double reach =
@@ -65,13 +66,16 @@ inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   if (slack > enough) return slack;
   if (node.axis[0] != 0.0f || node.axis[1] != 0.0f || node.axis[2] != 0.0f) {
     slack = std::max(slack, axis_gap(hulls, frame.pose, node.axis) - reach);
-    if (slack > enough) return slack;
+    if (slack > 0.0) return slack;
   }
   ++frame.set.stats.pair_queries;
   if (node.gjk.count == 0) start_along(hulls, frame.pose, node.axis, node.gjk);
-  const Separation s = closest_points(hulls.a, hulls.b, frame.pose, kInfinity, node.gjk);
+  constexpr double kLonger = 1.5;
+  const Separation s =
+      closest_points(hulls.a, hulls.b, frame.pose, reach + kLonger * enough, node.gjk);
   if (s.status == GjkStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);
-  const Vec3 axis = (s.witness_b - s.witness_a) / s.distance;
+  // Where the search stopped early the distance is less than that of the witnesses.
+  const Vec3 axis = (s.witness_b - s.witness_a).normalized();
   if (!node.has_normal) {
     for (int i = 0; i < 3; ++i) node.axis[i] = static_cast<float>(axis[i]);
   }
