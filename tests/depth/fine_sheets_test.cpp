@@ -5,6 +5,7 @@
 #include "depth/textured_plates.h"
 #include <gtest/gtest.h>
 
+#include "thigma/depth/depth_gradient.h"
 #include "thigma/math/plane_cross.h"
 
 namespace thigma {
@@ -130,6 +131,17 @@ TEST(FineSheets, DepthOfAFoldedPlateIsThatOfItsHighestFront) {
       if (want == kNoSurface) continue;  // beside the end of the fine surface its edge stands in
       ++of_sheets;
       EXPECT_NEAR(got.depth[0], want, 2e-3 * size);
+      GradientScratch scratch;
+      EXPECT_TRUE(depth_gradient(contact, got, GradientKind::envelope, scratch).is_valid);
+      // Nothing that the search should have seen beside it is higher.
+      constexpr int kSide = 10;
+      const double spacing = size / 50.0;
+      double highest = kNoDepth;
+      for (int k = 0; k < kSide * kSide; ++k) {
+        const Vec2 off = spacing * (Vec2(k % kSide, k / kSide) / (kSide - 1) - Vec2(0.5, 0.5));
+        highest = std::max(highest, slow_sheet(texture, world.head<2>() + off));
+      }
+      EXPECT_GE(got.depth[0], highest - 5e-3 * size) << "a lip ends where it is highest";
     }
   }
   EXPECT_GT(of_sheets, 6);

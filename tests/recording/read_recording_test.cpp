@@ -132,6 +132,48 @@ TEST(ReadRecording, contact_models_come_back_bit_for_bit) {
   }
 }
 
+// A row of relief without a plane is as in recordings from before there was one.
+TEST(ReadRecording, rows_come_back_bit_for_bit) {
+  ContactSample want = test::contact_sample(3);
+  ConstraintModel& constraints = want.model.constraints;
+  constraints.travel = 1e-4;
+  constraints.reach = 0.03;
+  const RowKind kinds[] = {RowKind::scene_plane, RowKind::object_plane, RowKind::edges,
+                           RowKind::relief, RowKind::relief};
+  for (int k = 0; k < 5; ++k) {
+    ContactRow row = make_row(kinds[k]);
+    row.id = 0xfedcba9876543210ull + static_cast<std::uint64_t>(k);
+    row.object_point = Vec3(1.0, 2.0, 3.0) / (k + 7.0);
+    row.scene_point = Vec3(-1.0, 2.0, -3.0) / (k + 3.0);
+    row.object_direction = Vec3(0.1, 0.2, 0.3) / (k + 1.0);
+    row.scene_direction = Vec3(0.6, 0.0, -0.8);
+    if (k == 4) row.plane = Vec3(0.28, -0.0, -0.96);
+    constraints.rows.push_back(row);
+  }
+  want.model_digest = model_digest(want.model);
+  const std::string path = ::testing::TempDir() + "thigma_rows.mcap";
+  RecordingWriter writer(path, "{}");
+  writer.write(want);
+  writer.close({});
+  const Recording r = read_recording(path);
+  ASSERT_EQ(r.contacts.size(), 1u);
+  const auto& got = r.contacts[0].model.constraints.rows;
+  ASSERT_EQ(got.size(), constraints.rows.size());
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    const ContactRow& row = constraints.rows[k];
+    EXPECT_EQ(got[k].kind, row.kind);
+    EXPECT_EQ(got[k].id, row.id);
+    expect_bits(got[k].object_point, row.object_point);
+    expect_bits(got[k].scene_point, row.scene_point);
+    expect_bits(got[k].object_direction, row.object_direction);
+    expect_bits(got[k].scene_direction, row.scene_direction);
+    expect_bits(got[k].plane, row.plane);
+  }
+  EXPECT_EQ(model_digest(r.contacts[0].model), want.model_digest);
+  constraints.rows[4].plane.setZero();
+  EXPECT_NE(model_digest(want.model), want.model_digest);
+}
+
 TEST(ReadRecording, the_end_is_read_or_known_to_be_missing) {
   const Recording r = read_recording(test::write_recording("end.mcap", 20));
   EXPECT_TRUE(r.has_end);

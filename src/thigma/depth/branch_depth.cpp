@@ -81,8 +81,7 @@ class BranchDepth final : public DepthBackend {
 
   void sample_moved(const DepthContact& contact, const DepthRequest& request, const Incumbent& here,
                     DepthSamples& result) noexcept {
-    const double texel =
-        std::min(contact.object.texture->texel_size, contact.scene.texture->texel_size);
+    const double texel = detail::finer_texel(contact);
     result.shift = request.step > 0.0 ? request.step : texel;
     result.turn = result.shift / std::max((contact.point - contact.centre).norm(), result.shift);
     for (int i = 1; i < kConfigurations; ++i) {

@@ -53,7 +53,7 @@ struct DepthSamples {
       // false: at the deepest place some patch is none along n; the depth is that of its outermost
       // sheet
       true;
-  // false of is_height_field, and the depth is that of the displaced texels themselves: the
+  // true: is_height_field is false, and the depth is that of the displaced texels themselves, the
   // outermost of all sheets near the place, those of triangles that are seen edge-on among them
   bool is_of_sheets = false;
   ContactFrame frame;  // about the contact's point

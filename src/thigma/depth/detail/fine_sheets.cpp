@@ -8,6 +8,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/depth/detail/climb.h"
+#include "thigma/math/infinity.h"
 #include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_vector.h"
 
@@ -216,10 +217,15 @@ void settle_height_field(const PreparedContact& prepared, const Vec2& spacing,
   };
   const ClimbField field{prepared.object, prepared.scene,           prepared.box,
                          Vec2::Zero(),    kFinest * prepared.texel, -1.0};
-  result.depth[0] = Climb<NearTriangles, decltype(depth_there)>(field, depth_there)
-                        .run(2.0 * grid.spacing(), {}, at);
+  depth = Climb<NearTriangles, decltype(depth_there)>(field, depth_there)
+              .run(2.0 * grid.spacing(), {}, at);
+  // Sheets reach beyond the ends of patches, where no gradient is known.
+  if (!surface_jet(prepared.object, at).is_covered || !surface_jet(prepared.scene, at).is_covered)
+    return;
+  result.depth[0] = depth;
   result.at = at;
   result.is_of_sheets = true;
+  result.remaining = kInfinity;  // the bound was of the other depth
 }
 
 }  // namespace thigma::detail

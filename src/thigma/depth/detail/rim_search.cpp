@@ -1,7 +1,6 @@
 #include "thigma/depth/detail/rim_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -44,10 +43,13 @@ Part over(Part part, const ProjectedTriangle& t) noexcept {
   return part;
 }
 
-/// All edges of a patch by their vertices, so that those of two triangles lie beside each other.
-void sort_edges(const ProjectedPatch& patch, std::vector<PatchEdge>& edges) noexcept {
+/// The edges of a patch that may cross a box, by their vertices, so that those of two triangles lie
+/// beside each other.
+void sort_edges(const ProjectedPatch& patch, const PlaneBox& box,
+                std::vector<PatchEdge>& edges) noexcept {
   edges.clear();
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    if (!overlap(patch.triangles[i].box, box)) continue;
     const auto& corners = patch.texture->coarse.triangles[idx(patch.triangles[i].triangle)];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
@@ -63,7 +65,7 @@ void sort_edges(const ProjectedPatch& patch, std::vector<PatchEdge>& edges) noex
 class RimOver {
  public:
   RimOver(const PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
-          double apart) noexcept
+          const Vec2& apart) noexcept
       : prepared_(prepared), rim_(rim), other_(other), apart_(apart) {}
 
   void add_edge(std::int32_t edge, double deepest, Rivals& rivals) const noexcept {
@@ -95,31 +97,34 @@ class RimOver {
   // The highest sample of a part, and how high a tent over it and those beside it stands.
   void add_part(const ProjectedTriangle& t, const ProjectedTriangle& u, const Part& part,
                 Rivals& rivals) const noexcept {
-    constexpr int kLeast = 4, kMost = 64;  // steps
-    const double length = (part.high - part.low) * part.way.norm();
-    const int steps = static_cast<int>(std::clamp<double>(length / apart_ + 1.0, kLeast, kMost));
-    std::array<double, kMost + 1> sums;
-    const auto place = [&](int i) -> Vec2 {
-      return part.at(part.low + (part.high - part.low) * i / steps);
+    constexpr double kLeast = 4.0, kMost = 1e6;  // steps
+    const Vec2 way = (part.high - part.low) * part.way;
+    const double wanted = way.cwiseAbs().cwiseQuotient(apart_).sum() + 1.0;
+    const int steps = static_cast<int>(std::clamp(wanted, kLeast, kMost));
+    const auto place = [&](int i) -> Vec2 { return part.at(part.low) + way * i / steps; };
+    const auto sum = [&](int i) {
+      const Vec2 at = place(std::clamp(i, 0, steps));
+      return height_on(rim_, t, at) + height_on(other_, u, at);
     };
-    for (int i = 0; i <= steps; ++i)
-      sums[idx(i)] = height_on(rim_, t, place(i)) + height_on(other_, u, place(i));
-    const auto best = std::max_element(sums.begin(), sums.begin() + steps + 1);
-    const int i = static_cast<int>(best - sums.begin());
-    const double before = sums[idx(std::max(i - 1, 0))], after = sums[idx(std::min(i + 1, steps))];
-    const double tent = 0.5 * std::fabs(after - before);
-    add_rival({*best + tent, place(i), tent}, rivals);
+    int best = 0;
+    double most = sum(0);
+    for (int i = 1; i <= steps; ++i) {
+      const double here = sum(i);
+      if (here > most) most = here, best = i;
+    }
+    const double tent = 0.5 * std::fabs(sum(best + 1) - sum(best - 1));
+    add_rival({most + tent, place(best), tent}, rivals);
   }
 
   const PreparedContact& prepared_;
   const ProjectedPatch &rim_, &other_;
-  double apart_;
+  Vec2 apart_;
 };
 
 void add_rim(PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
-             double apart, double deepest, Rivals& rivals) noexcept {
+             const Vec2& apart, double deepest, Rivals& rivals) noexcept {
   std::vector<PatchEdge>& edges = prepared.edges;
-  sort_edges(rim, edges);
+  sort_edges(rim, prepared.box, edges);
   const RimOver over_other(prepared, rim, other, apart);
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
@@ -138,7 +143,7 @@ void add_rival(const Rival& rival, Rivals& rivals) noexcept {
   if (is_lower(lowest, rival)) lowest = rival;
 }
 
-Rivals rivals_on_rims(PreparedContact& prepared, double apart, double deepest) noexcept {
+Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, double deepest) noexcept {
   Rivals rivals;
   add_rim(prepared, prepared.object, prepared.scene, apart, deepest, rivals);
   add_rim(prepared, prepared.scene, prepared.object, apart, deepest, rivals);

@@ -23,13 +23,14 @@ inline bool is_lower(const Rival& a, const Rival& b) noexcept { return a.hope < 
 void add_rival(const Rival& rival, Rivals& rivals) noexcept;
 
 /// The highest places along the rims of both patches, over the other one, each of one edge over one
-/// triangle. An edge is of the rim where no triangle of the patch lies on its other side. Bounds of
-/// the relief leave out what cannot be as deep as what is known.
+/// triangle. An edge is of the rim where no triangle of the patch lies on its other side. What the
+/// relief of its two triangles, as first order carries it, leaves lower than what is known is left
+/// out: no bound where triangles are steeper than 45 degrees or others reach over the rim.
 ///
-/// apart    of samples along an edge; short parts have five [m]
+/// apart    of samples along an edge, along either axis; short parts have five [m]
 /// deepest  that is known [m]
 /// Thread   [contact]; no failure. After bind_near. Allocates when a patch has more triangles than
 ///          any before.
-Rivals rivals_on_rims(PreparedContact& prepared, double apart, double deepest) noexcept;
+Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, double deepest) noexcept;
 
 }  // namespace thigma::detail
