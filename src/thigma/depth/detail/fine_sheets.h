@@ -8,8 +8,8 @@ namespace thigma::detail {
 
 /// Height of the outermost sheet of a patch's fine surface over a point of the plane, along the
 /// facing direction [m]: of the bilinear facets that face the right way, of all its triangles,
-/// those seen edge-on among them, and of those around that are not. kNoSurface where neither a fine point of
-/// `triangles` nor a coarse one lies over the point.
+/// those seen edge-on among them, and of those around that are not. kNoSurface where neither a
+/// fine point of `triangles` nor a coarse one lies over the point.
 /// Thread   [contact]; no failure. A facet is found to 1e-9 of its side.
 double sheet_height(const ProjectedPatch& patch, const Vec2& at) noexcept;
 
