@@ -109,11 +109,12 @@ void add_area(const Studied& pair, std::vector<Claim>& claims) {
                        figure(without_d.rank) + " (area-by-region)",
              .sweep = rows,
              .floor = 0.0}));
+  constexpr double kByRegion = 0.8;
   const Claim by_region =
       at_least("area-by-region-" + name,
                name + ": the same of the levels there would be with that area in place of D",
-               without_d.rank, 0.8);
-  claims.push_back(spread.low > kSpread
+               without_d.rank, kByRegion);
+  claims.push_back(spread.low > kSpread || without_d.rank >= kByRegion
                        ? by_region
                        : known_not_to(by_region, {.reason = "regions differ at single poses only, "
                                                             "among the others there is little to "
