@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thigma/depth/detail/inside_triangle.h"
 #include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 #include "thigma/texture/texel_vector.h"
@@ -12,23 +13,11 @@ namespace {
 
 double sign_of(Facing facing) noexcept { return facing == Facing::along ? 1.0 : -1.0; }
 
-// How far inside a triangle a point is: the least of its three barycentric coordinates.
-double insideness(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return std::min({cross(t.edges[0], at - t.at[0]), cross(t.edges[1], at - t.at[1]),
-                   cross(t.edges[2], at - t.at[2])});
-}
-
-// Slack of the test whether a point lies on a triangle, of its barycentric coordinates: less would
-// open cracks between neighbours by rounding; more only extends a triangle's plane by that share.
-constexpr double kEdgeSlack = 1e-9;
-
-bool is_in(const PlaneBox& box, const Vec2& at) noexcept {
-  return at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() &&
-         at.y() <= box.high.y();
-}
+using detail::insideness;
+using detail::kEdgeSlack;
 
 bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return is_in(t.box, at) && insideness(t, at) >= -kEdgeSlack;
+  return contains(t.box, at) && detail::covers(t, at);
 }
 
 Vec2 texel_of(const ProjectedTriangle& t, const Vec2& at) noexcept {
@@ -102,7 +91,7 @@ std::array<double, 3> least_coordinates(const ProjectedTriangle& t,
 
 // Whether a fine point of a triangle may lie over a place.
 bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return is_in(t.fine, at) && cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
+  return contains(t.fine, at) && cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
          cross(t.edges[1], at - t.at[1]) >= t.least[1] &&
          cross(t.edges[2], at - t.at[2]) >= t.least[2];
 }
@@ -446,10 +435,7 @@ double height_on(const ProjectedPatch& patch, const ProjectedTriangle& t, const 
 }
 
 double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& t) noexcept {
-  const TexelBounds& bounds = bounds_under(*patch.texture, t.triangle);
-  const Vec3 low = detail::texel_vector(bounds.low).head<3>(),
-             high = detail::texel_vector(bounds.high).head<3>();
-  return t.carried.cwiseProduct(low).cwiseMax(t.carried.cwiseProduct(high)).sum();
+  return detail::largest_along(t.carried, bounds_under(*patch.texture, t.triangle));
 }
 
 bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,

@@ -48,6 +48,11 @@ inline bool overlap(const PlaneBox& a, const PlaneBox& b) noexcept {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
+/// Whether a point lies in a closed box.
+inline bool contains(const PlaneBox& box, const Vec2& at) noexcept {
+  return (at.array() >= box.low.array()).all() && (at.array() <= box.high.array()).all();
+}
+
 /// A coarse triangle in the plane (u, v); heights are along the facing direction [m].
 struct ProjectedTriangle {
   std::array<Vec2, 3> at;  // corners [m]

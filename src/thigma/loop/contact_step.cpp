@@ -216,7 +216,8 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   ContactQuery query;
   // Until the model after the next. Coarse patches under relief are few and the way over it is
   // uneven: twice as far.
-  const double models = world.textures.is_empty() ? 2.0 : 4.0;
+  const bool has_relief = !world.textures.is_empty();
+  const double models = has_relief ? 4.0 : 2.0;
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
   scratch.looked_ahead = look_ahead(*world.constraints, wanted, scratch);
@@ -224,22 +225,21 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
   // Coarse surfaces under relief have few, and have to be known beyond the relief.
-  query.most_pairs = world.textures.is_empty() ? kMostPairs : 0;
+  query.most_pairs = has_relief ? 0 : kMostPairs;
   if (has_levels_far(world))
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
-  else if (world.textures.is_empty())  // rows ask contacts which patches are near, no more
+  else if (!has_relief)  // rows ask contacts which patches are near, no more
     query.resolution.carry = world.resolution.carry;
-  query.measures_hulls = world.textures.is_empty();
+  query.measures_hulls = !has_relief;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);
   const bool is_crowded = found < query.tolerance;
-  if (is_crowded) scratch.looked_ahead = found - relief;
+  if (is_crowded) scratch.looked_ahead = found;  // there is no relief then
   note_crowd(is_crowded, wanted, scratch);
   scratch.separation = scratch.looked_ahead;
   const bool is_far = scratch.contacts.contacts.empty();
-  if (!world.textures.is_empty())
-    limit_to_relief(world.textures, scratch.looked_ahead, scratch.contacts);
+  if (has_relief) limit_to_relief(world.textures, scratch.looked_ahead, scratch.contacts);
   if (!is_far) return;
   // Nothing is near: the object may go as far as the traversal has proven.
   scratch.separation = kInfinity;

@@ -52,9 +52,10 @@ inline bool is_leaf_pair(const QueryFrame& frame, std::int32_t a, std::int32_t b
   return node_a(frame, a).child_count == 0 && node_b(frame, b).child_count == 0;
 }
 
-/// By how much a pair misses d_ab = d + h(a) + h(b) (Eq. 3.5), at least; <= 0: not culled. Stops at
-/// the spheres' bound where it outlives the next frame, at that of the known axis where it culls,
-/// which is a tenth of a search, and the search where it outlives the next frame.
+/// By how much a pair misses d_ab = d + h(a) + h(b) (Eq. 3.5), at least; <= 0: not culled. The
+/// spheres' bound is enough where it outlives the next frame; that of the known axis where it
+/// culls, as it costs a tenth of a search; the search ends with the first bound that outlives the
+/// next frame.
 inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   ++frame.set.stats.tests;
   const double reach =
@@ -70,7 +71,7 @@ inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   }
   ++frame.set.stats.pair_queries;
   if (node.gjk.count == 0) start_along(hulls, frame.pose, node.axis, node.gjk);
-  constexpr double kLonger = 1.5;
+  constexpr double kLonger = 1.5;  // than a frame's motion: one that is a little faster
   const Separation s =
       closest_points(hulls.a, hulls.b, frame.pose, reach + kLonger * enough, node.gjk);
   if (s.status == GjkStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);

@@ -8,6 +8,7 @@
 
 #include "thigma/core/index.h"
 #include "thigma/depth/detail/climb.h"
+#include "thigma/depth/detail/inside_triangle.h"
 #include "thigma/math/infinity.h"
 #include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_vector.h"
@@ -15,7 +16,7 @@
 namespace thigma::detail {
 namespace {
 
-// Of the side of a facet and of a triangle's barycentric coordinates: less would leave cracks.
+// Of the side of a facet: less would leave cracks.
 constexpr double kSlack = 1e-9;
 
 /// The line, and the highest place of one triangle's fine surface on it.
@@ -152,16 +153,6 @@ class SheetLine {
   Vec3 origin_, by_x_, by_y_;
 };
 
-bool is_in(const PlaneBox& box, const Vec2& at) noexcept {
-  return (at.array() >= box.low.array()).all() && (at.array() <= box.high.array()).all();
-}
-
-bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(cross(t.edges[k], at - t.at[k]) >= -kSlack)) return false;
-  return true;
-}
-
 // Of all sheets; where there is none of the patch itself as without them.
 double height_of(const ProjectedPatch& patch, const Vec2& at) noexcept {
   const double height = sheet_height(patch, at);
@@ -182,13 +173,13 @@ double sheet_height(const ProjectedPatch& patch, const Vec2& at) noexcept {
   bool has_ground = false;
   for (const ProjectedTriangle& t : patch.triangles) {
     has_ground = has_ground || covers(t, at);
-    if (is_in(t.fine, at)) line.meet(t.triangle);
+    if (contains(t.fine, at)) line.meet(t.triangle);
   }
   if (!has_ground && line.highest() == kNoSurface) return kNoSurface;
   for (const ProjectedTriangle& t : patch.around)
-    if (is_in(t.fine, at)) line.meet(t.triangle);
+    if (contains(t.fine, at)) line.meet(t.triangle);
   for (const HiddenTriangle& t : patch.hidden)
-    if (is_in({t.box.low + patch.sideways.low, t.box.high + patch.sideways.high}, at))
+    if (contains({t.box.low + patch.sideways.low, t.box.high + patch.sideways.high}, at))
       line.meet(t.triangle);
   return line.highest();
 }

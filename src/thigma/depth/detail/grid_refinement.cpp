@@ -102,6 +102,14 @@ Rivals rivals_of(const Sums& sums, const MapGrid& grid, const MapMaximum& best) 
   return rivals;
 }
 
+// Maps are of first order: the depth itself says how high the tent stands; a sample where there is
+// none.
+void raise_to_depth(const PreparedContact& prepared, double sample, Rival& rival) noexcept {
+  NearFeet feet;
+  const double depth = depth_near(prepared, rival.at, feet);
+  rival.hope = (depth == kNoDepth ? sample : depth) + rival.tent;
+}
+
 // Samples more finely around a summit: moves it to the best of them. Its hope is the depth there,
 // and what the tent over these samples adds.
 void look_closer(PreparedContact& prepared, const MapGrid& grid, const MapReading& reading,
@@ -114,24 +122,14 @@ void look_closer(PreparedContact& prepared, const MapGrid& grid, const MapReadin
   rival.hope = kNoDepth;
   if (best.column < 0) return;
   rival.at = fine.at(best.column, best.row);
-  NearFeet feet;
-  // Maps are of first order: the depth itself says how high the tent stands.
-  const double depth = depth_near(prepared, rival.at, feet);
   const float tent =
       tent_height(sum_maps(prepared.fine_object, prepared.fine_scene, prepared.sums), best);
-  rival.hope = (depth == kNoDepth ? static_cast<double>(best.sum) : depth) +
-               static_cast<double>(tent - best.sum);
+  rival.tent = static_cast<double>(tent - best.sum);
+  raise_to_depth(prepared, static_cast<double>(best.sum), rival);
 }
 
 // Along a rim, of the grid's spacing: about as near as the samples of a closer look.
 constexpr double kRimApart = 0.25;
-
-// Maps are of first order: the depth itself says how high the tent stands.
-void raise_to_depth(const PreparedContact& prepared, Rival& rival) noexcept {
-  NearFeet feet;
-  const double depth = depth_near(prepared, rival.at, feet);
-  rival.hope = depth == kNoDepth ? kNoDepth : depth + rival.tent;
-}
 
 // Climbs from the highest rivals while they may be deeper than what is known; returns what then is.
 double climb_from(const PreparedContact& prepared, const Vec2& spacing, Rivals& rivals,
@@ -186,7 +184,7 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   for (Rival& rival : rivals) look_closer(prepared, grid, reading_of(params), rival);
   double deepest = climb_from(prepared, grid.spacing(), rivals, kNoDepth, result);
   rivals = rivals_on_rims(prepared, kRimApart * grid.spacing(), deepest);
-  for (Rival& rival : rivals) raise_to_depth(prepared, rival);
+  for (Rival& rival : rivals) raise_to_depth(prepared, kNoDepth, rival);
   climb_from(prepared, 2.0 * kRimApart * grid.spacing(), rivals, deepest, result);
   settle_height_field(prepared, grid.spacing(), result);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "thigma/core/index.h"
+#include "thigma/depth/detail/inside_triangle.h"
 #include "thigma/math/plane_cross.h"
 #include "thigma/texture/texel_lookup.h"
 
@@ -14,15 +15,8 @@ constexpr double kClose = 1e-3;
 
 constexpr double kTurnsOver = 0.05;  // of the area: nearly edge-on, left to find_below
 
-// How far inside a triangle a point is: the least of its barycentric coordinates.
-double insideness(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return std::min({cross(t.edges[0], at - t.at[0]), cross(t.edges[1], at - t.at[1]),
-                   cross(t.edges[2], at - t.at[2])});
-}
-
 bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  return (at.array() >= t.fine.low.array()).all() && (at.array() <= t.fine.high.array()).all() &&
-         cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
+  return contains(t.fine, at) && cross(t.edges[0], at - t.at[0]) >= t.least[0] &&
          cross(t.edges[1], at - t.at[1]) >= t.least[1] &&
          cross(t.edges[2], at - t.at[2]) >= t.least[2];
 }
@@ -116,11 +110,6 @@ double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2&
            static_cast<double>(f.by_y[2]) * texels.y();
   }
   return height_by_find(s, t, at, foot);
-}
-
-bool covers(const ProjectedTriangle& t, const Vec2& at) noexcept {
-  constexpr double kEdgeSlack = 1e-9;  // as of height_at
-  return insideness(t, at) >= -kEdgeSlack;
 }
 
 }  // namespace

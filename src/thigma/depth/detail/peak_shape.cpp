@@ -15,13 +15,9 @@ constexpr double kWander = 3.0;  // of a way: farther the deepest place is anoth
 
 using Ring = std::array<double, kRing>;  // heights or depths
 
-bool is_in(const PlaneBox& box, const Vec2& at) noexcept {
-  return (at.array() >= box.low.array()).all() && (at.array() <= box.high.array()).all();
-}
-
 /// Height of one side, kNoSurface beside its patch.
 double height_of(const NearSurface& side, const Vec2& at, NearFoot& foot) noexcept {
-  return is_in(side.patch->box, at) ? height_near(side, at, foot) : kNoSurface;
+  return contains(side.patch->box, at) ? height_near(side, at, foot) : kNoSurface;
 }
 
 /// What is missing is that of the other side turned about.
@@ -78,7 +74,7 @@ Sides sides_at(const PeakField& field, const Vec2& at, double radius) noexcept {
     s.object_ring[idx(i)] = height_of(field.object, beside, feet.object);
     s.scene_ring[idx(i)] = height_of(field.scene, beside, feet.scene);
     s.is_cut = s.is_cut || s.object_ring[idx(i)] == kNoSurface ||
-               s.scene_ring[idx(i)] == kNoSurface || !is_in(field.reach, beside);
+               s.scene_ring[idx(i)] == kNoSurface || !contains(field.reach, beside);
   }
   s.of_object = fit(closed(s.object_ring, s.object), s.object, radius);
   const Bent of_scene = fit(closed(s.scene_ring, s.scene), s.scene, radius);
@@ -131,7 +127,7 @@ double sum_of(double object, double scene) noexcept {
 
 double depth_of(const PeakField& field, const Vec2& shift, const Vec2& at,
                 NearFeet& feet) noexcept {
-  if (!is_in(field.reach, at)) return kNoDepth;
+  if (!contains(field.reach, at)) return kNoDepth;
   const double object = height_of(field.object, at - shift, feet.object);
   if (object == kNoSurface) return kNoDepth;
   return sum_of(object, height_of(field.scene, at, feet.scene));

@@ -50,11 +50,6 @@ void add_box(TexelPair& pair, const PlaneBox& box, const PlaneBox& ways) noexcep
   }
 }
 
-double largest_along(const Vec3& m, const TexelBounds& b) noexcept {
-  const Eigen::Vector4d m4(m.x(), m.y(), m.z(), 0.0);
-  return m4.cwiseProduct(texel_vector(b.low)).cwiseMax(m4.cwiseProduct(texel_vector(b.high))).sum();
-}
-
 // Largest displacement times `by` between texture coordinates low and high.
 double largest_between(const HapticTexture& texture, const Vec3& by, const Vec2& low,
                        const Vec2& high) noexcept {
