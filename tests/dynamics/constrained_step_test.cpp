@@ -1,5 +1,6 @@
 #include "thigma/dynamics/constrained_step.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -59,6 +60,13 @@ struct Held {
     return result;
   }
 };
+
+double least_gap(const ConstraintModel& model, const BodyState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ContactRow& row : model.rows)
+    least = std::min(least, row_at(row, state.position, rotation_matrix(state.orientation)).gap);
+  return least;
+}
 
 TEST(ConstrainedStep, IsTheImplicitStepWhereNothingPresses) {
   Held held;
@@ -173,6 +181,24 @@ TEST(ConstrainedStep, LeavesAGapThatClosedByItself) {
   EXPECT_NEAR(first.least_gap, -1e-5, 1e-12);
   for (int k = 0; k < 100; ++k) first = held.step({0.0, 0.0, 0.0});
   EXPECT_NEAR(first.least_gap, held.params.slop, 1e-7);
+}
+
+TEST(ConstrainedStep, TurningTakesNothingOfAGapThatIsLessThanWhatIsKept) {
+  Held held;
+  held.add_corner({0.0, 0.0, 0.01});  // above the centre: every turn lowers it, to second order
+  const double slop = held.params.slop, speed = 30.0;
+  for (const double gap : {0.2 * slop, 0.9 * slop, slop}) {
+    held.state = BodyState{};
+    held.state.position.z() = -0.01 + gap;
+    held.state.angular_momentum = {0.0, 1e-5 * speed, 0.0};
+    const double angle = speed * kStep;
+    ASSERT_GT(0.5 * angle * angle * 0.01, slop);
+    const ConstrainedStep step = constrained_step(at_state(held.body, held.state), StepForces{},
+                                                  {*held.model, held.params, kStep}, held.memory);
+    EXPECT_GE(least_gap(*held.model, step.state), 0.5 * gap);
+    EXPECT_NEAR(vector_from_rotation(step.state.orientation).y(), angle, 1e-9);  // all of it
+    EXPECT_FALSE(step.is_squeezed);
+  }
 }
 
 TEST(ConstrainedStep, RestsWhereRowsContradictEachOther) {

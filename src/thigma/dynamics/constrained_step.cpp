@@ -12,6 +12,9 @@
 namespace thigma {
 namespace {
 
+// Of a step whose turning leaves less than half of the gap that is kept: each leaves the square.
+constexpr int kCorrections = 3;
+
 /// Speed at which a gap may close, or has to open, in a step.
 double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT {
   const double room = gap - params.slop;
@@ -19,11 +22,16 @@ double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT
   return -std::min(params.recovery * -room / dt, params.recovery_speed);
 }
 
-/// The rows at a state, as inequalities on the velocity; returns the least gap.
-double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& rotation,
-                VelocityRows& rows) THIGMA_RT {
+/// How the rows stand before a step.
+struct GapsBefore {
+  double least = kInfinity;           // [m]
+  std::array<double, kMaxRows> kept;  // what the step leaves of each: no more than slop [m]
+};
+
+/// The rows at a state, as inequalities on the velocity.
+void evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& rotation,
+              VelocityRows& rows, GapsBefore& gaps) THIGMA_RT {
   const ConstraintModel& model = bounds.model;
-  double least = kInfinity;
   rows.count = static_cast<int>(model.rows.size());
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
     const RowAtState at = row_at(model.rows[i], state.position, rotation);
@@ -36,9 +44,9 @@ double evaluate(const StepBounds& bounds, const BodyState& state, const Mat3& ro
     rows.friction[i] = model.rows[i].friction;
     rows.arm[i] = at.arm;
     rows.tangent[i] = tangents_of(at.normal).first;
-    least = std::min(least, at.gap);
+    gaps.least = std::min(gaps.least, at.gap);
+    gaps.kept[i] = std::min(at.gap, bounds.params.slop);
   }
-  return least;
 }
 
 Mat3 world_inertia(const BodyAtState& at) THIGMA_RT {
@@ -91,21 +99,21 @@ double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT
 /// How the rows stand after a step.
 struct GapsAfter {
   double least = kInfinity;  // [m]
-  bool is_short = false;     // a gap that was kept comes to less than half of what is kept
+  bool is_short = false;     // less than half is left of a gap that was to be kept
 };
 
 /// Gaps after a step; limits are lowered by what turning made of them beyond their linear change.
-GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after,
+GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after, const GapsBefore& before,
                          VelocityRows& rows) THIGMA_RT {
   GapsAfter gaps;
   const Mat3 rotation = rotation_matrix(after.orientation);
-  const double slop = bounds.params.slop;
   for (std::size_t i = 0; i < bounds.model.rows.size(); ++i) {
     const double gap = row_at(bounds.model.rows[i], after.position, rotation).gap;
+    const double kept = before.kept[i];
     gaps.least = std::min(gaps.least, gap);
-    if (gap >= slop || rows.limit[i] <= 0.0) continue;
-    gaps.is_short = gaps.is_short || gap < 0.5 * slop;
-    rows.limit[i] = std::max(rows.limit[i] - (slop - gap) / bounds.dt, 0.0);
+    if (gap >= kept) continue;
+    gaps.is_short = gaps.is_short || gap < 0.5 * kept;
+    rows.limit[i] -= (kept - gap) / bounds.dt;
   }
   return gaps;
 }
@@ -189,7 +197,9 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   VelocityRows rows;
   RowImpulses impulses;
   detail::recall(model, memory, impulses);
-  result.least_gap = evaluate(bounds, at.state, at.kinematics.rotation, rows);
+  GapsBefore before;
+  evaluate(bounds, at.state, at.kinematics.rotation, rows, before);
+  result.least_gap = before.least;
   // A model that came after the object had left its travel: its rows say nothing here, and the
   // object waits for the next.
   if (is_beyond(model, at.state)) result.least_gap = kInfinity;
@@ -198,15 +208,17 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   detail::add_bounces(memory, rows);
   Vec6 velocity = solve(unheld, bounds, rows, impulses, result);
   result.state = velocity == free ? unbound : work.after(velocity);
-  GapsAfter gaps = correct_limits(bounds, result.state, rows);
-  if (gaps.is_short) {
+  GapsAfter gaps = correct_limits(bounds, result.state, before, rows);
+  const bool is_squeezed = result.is_squeezed;
+  for (int i = 0; gaps.is_short && i < kCorrections; ++i) {
     velocity = solve(unheld, bounds, rows, impulses, result);
     result.state = work.after(velocity);
-    gaps.least = least_gap(model, result.state);
+    gaps = correct_limits(bounds, result.state, before, rows);
   }
+  result.is_squeezed = is_squeezed;  // a correction that others forbid is none
   if (!bounds.pairs.empty()) {
-    const Vec6 before = velocity_of(at);
-    result.impacts = detail::find_impacts({bounds, rows, impulses, before, free}, memory);
+    const Vec6 speed = velocity_of(at);
+    result.impacts = detail::find_impacts({bounds, rows, impulses, speed, free}, memory);
     detail::note_bounces(result.impacts, bounds, memory);
   }
   detail::keep(model, impulses, memory);
