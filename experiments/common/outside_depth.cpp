@@ -148,24 +148,65 @@ bool passes(const DepthSurface& s, const Vec3& from, const Vec3& to) {
   return false;
 }
 
-/// Depth of the points of one surface in the other.
-double depth_of(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b, int samples) {
-  double deepest = 0.0;
-  const DepthSurface::Node& all = b.nodes.front();
-  std::vector<Vec3> points(a.mesh.positions.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] = transform_point(b_from_a, a.mesh.positions[i]);
-    if (box_square(all, points[i]) > 0.0) continue;
-    deepest = std::max(deepest, -signed_distance(b, points[i]));
+/// The vertices of a surface in the other's frame, and how far they are from it at the least.
+struct Vertices {
+  std::vector<Vec3> points;
+  std::vector<double> distance;  // [m]; negative inside
+};
+
+Vertices place(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b,
+               const DepthMemory::Side& last) {
+  Vertices at;
+  const bool is_known = last.points.size() == a.mesh.positions.size();
+  for (std::size_t i = 0; i < a.mesh.positions.size(); ++i) {
+    at.points.push_back(transform_point(b_from_a, a.mesh.positions[i]));
+    const double beside = box_square(b.nodes.front(), at.points[i]);
+    double least = beside > 0.0 ? std::sqrt(beside) : -kFar;
+    if (is_known)
+      least = std::max(least, last.distance[i] - (at.points[i] - last.points[i]).norm());
+    at.distance.push_back(least);
   }
+  return at;
+}
+
+/// The deepest vertex; what cannot be it is left alone.
+double deepest_vertex(const DepthSurface& b, Vertices& at, DepthMemory::Side& memory) {
+  if (memory.points.size() != at.points.size()) {
+    memory.points = at.points;
+    memory.distance.assign(at.points.size(), -kFar);
+    memory.deepest = 0;
+  }
+  double deepest = 0.0;
+  const auto look_at = [&](std::size_t i) {
+    if (-at.distance[i] <= deepest) return;
+    const double distance = signed_distance(b, at.points[i]);
+    at.distance[i] = memory.distance[i] = distance;
+    memory.points[i] = at.points[i];
+    if (-distance <= deepest) return;
+    deepest = -distance;
+    memory.deepest = i;
+  };
+  look_at(memory.deepest);
+  for (std::size_t i = 0; i < at.points.size(); ++i) look_at(i);
+  return deepest;
+}
+
+/// Depth of the points of one surface in the other.
+double depth_of(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b, int samples,
+                DepthMemory::Side& memory) {
+  const DepthSurface::Node& all = b.nodes.front();
+  Vertices at = place(a, b_from_a, b, memory);
+  double deepest = deepest_vertex(b, at, memory);
   for (const auto& v : a.mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       if (v[k] > v[(k + 1) % 3]) continue;  // the other triangle's turn
-      const Vec3& from = points[static_cast<std::size_t>(v[k])];
-      const Vec3& to = points[static_cast<std::size_t>(v[(k + 1) % 3])];
+      const auto i = static_cast<std::size_t>(v[k]), j = static_cast<std::size_t>(v[(k + 1) % 3]);
+      const Vec3 &from = at.points[i], &to = at.points[j];
+      // No point of the edge is deeper.
+      if (0.5 * ((to - from).norm() - at.distance[i] - at.distance[j]) <= deepest) continue;
       if (!boxes_meet(all, from.cwiseMin(to), from.cwiseMax(to)) || !passes(b, from, to)) continue;
-      for (int i = 1; i < samples; ++i) {
-        const double share = static_cast<double>(i) / samples;
+      for (int n = 1; n < samples; ++n) {
+        const double share = static_cast<double>(n) / samples;
         deepest = std::max(deepest, -signed_distance(b, from + share * (to - from)));
       }
     }
@@ -211,9 +252,15 @@ double signed_distance(const DepthSurface& s, const Vec3& p) {
 }
 
 double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
+                     DepthMemory& memory, int samples) {
+  return std::max(depth_of(a, world_from_a, b, samples, memory.of_a),
+                  depth_of(b, inverse(world_from_a), a, samples, memory.of_b));
+}
+
+double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
                      int samples) {
-  return std::max(depth_of(a, world_from_a, b, samples),
-                  depth_of(b, inverse(world_from_a), a, samples));
+  DepthMemory none;
+  return outside_depth(a, world_from_a, b, none, samples);
 }
 
 }  // namespace thigma::experiments

@@ -31,9 +31,24 @@ DepthSurface make_depth_surface(const TriangleMesh& mesh);
 /// side by the normal of the feature the nearest point lies on (Baerentzen and Aanaes 2005).
 double signed_distance(const DepthSurface& surface, const Vec3& point);
 
+/// What is known of two surfaces from looks at other poses. Empty before the first.
+struct DepthMemory {
+  struct Side {
+    std::vector<Vec3> points;      // the vertices when they were last measured [m; other's frame]
+    std::vector<double> distance;  // at least that, by vertex [m]; negative inside
+    std::size_t deepest = 0;       // vertex
+  };
+  Side of_a, of_b;
+};
+
 /// The largest distance of a point of one surface inside the other from that other surface, 0 where
 /// they are apart [m]. Points looked at: every vertex of both, and `samples` points on every edge
 /// that passes through a triangle of the other. `b` is at rest in the world.
+///
+/// memory  of the same two surfaces: a distance changes no faster than its point moves, so that
+///         what cannot be the deepest is not measured again. The result is the same without.
+double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
+                     DepthMemory& memory, int samples = 16);
 double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
                      int samples = 16);
 

@@ -87,10 +87,11 @@ void run_constrained(const Context& context, const SessionPair& session, const L
     ran.frames = run_coupled(setup, motion.handle);
     judge(motion, setup.period, ran);
     std::vector<double> depth;
+    DepthMemory memory;
     for (std::size_t k = 0; k < ran.frames.size(); k += context.quick ? 20 : 5) {
       const BodyState& y = ran.frames[k].body;
       const Pose pose = Pose{y.position, y.orientation} * config.contact.body_from_mesh;
-      depth.push_back(outside_depth(object, scene_from_world * pose, scene));
+      depth.push_back(outside_depth(object, scene_from_world * pose, scene, memory));
     }
     ran.deepest = *std::max_element(depth.begin(), depth.end());
     ran.settled = sample_quantile(depth, 0.5);

@@ -19,6 +19,7 @@ Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
   gains.every = how.every;
   gains.threshold = how.threshold;
   Ran ran;
+  DepthMemory memory;
   int frame = 0;
   std::vector<double> forces[3];
   Vec3 first = Vec3::Zero(), last = Vec3::Zero();
@@ -30,8 +31,8 @@ Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
       for (int k = 0; k < 3; ++k) forces[k].push_back(sample.command.force[k]);
     }
     if (frame++ % how.look != 0) return;
-    const double depth =
-        outside_depth(seen.object, {sample.body.position, sample.body.orientation}, seen.scene);
+    const double depth = outside_depth(seen.object, {sample.body.position, sample.body.orientation},
+                                       seen.scene, memory);
     ran.ever = std::max(ran.ever, depth);
     if (sample.time >= kAtRest) ran.at_rest = std::max(ran.at_rest, depth);
   };

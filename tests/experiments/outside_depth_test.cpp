@@ -1,7 +1,10 @@
 #include "experiments/common/outside_depth.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "thigma/math/random.h"
 #include "thigma/math/rotation.h"
 #include "thigma/mesh/shapes.h"
 
@@ -32,6 +35,27 @@ TEST(OutsideDepth, SeesABallWhollyInside) {
   const DepthSurface large = make_depth_surface(make_ball(0.02, 6));
   const DepthSurface small = make_depth_surface(make_ball(0.002, 2));
   EXPECT_NEAR(outside_depth(small, Pose{}, large), 0.018, 3e-4);  // facets
+}
+
+TEST(OutsideDepth, IsTheSameWhateverIsRemembered) {
+  const DepthSurface ball = make_depth_surface(make_ball(0.01, 5));
+  const DepthSurface box = make_depth_surface(make_box(Vec3::Constant(0.02), {3, 4, 5}));
+  DepthMemory memory;
+  Random random(7);
+  Vec3 turn = Vec3::Zero();
+  int inside = 0;
+  for (int i = 0; i < 300; ++i) {
+    // In and out, small steps and a jump now and then.
+    Vec3 at(0.002, 0.001 * std::sin(0.03 * i), 0.0195 + 0.0012 * std::sin(0.1 * i));
+    if (i % 50 == 49) at += random.in_cube(0.01);
+    turn += random.in_cube(i % 50 == 49 ? 1.0 : 0.01);
+    const Pose pose{at, rotation_from_vector(turn)};
+    const double depth = outside_depth(ball, pose, box);
+    ASSERT_EQ(outside_depth(ball, pose, box, memory), depth) << i;
+    inside += depth > 0.0;
+  }
+  EXPECT_GT(inside, 30);
+  EXPECT_LT(inside, 300);
 }
 
 }  // namespace
