@@ -24,7 +24,7 @@ struct ProxyScene {
   std::function<Vec3(const Pose&)> ideal;
 };
 
-/// a to f of E2, meshes and paths as there.
+/// a to f of E2, meshes and paths as in e2-force-quality, but the spheres of b four times as fine.
 std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs);
 
 /// The peg of the widest hole, turned as far beyond the touch as E2's path turns that of the
@@ -34,7 +34,7 @@ std::vector<ProxyScene> proxy_scenes(int poses, const ProxySprings& springs);
 ProxyScene farther_peg(ProxyScene widest);
 
 /// b alone, an eighth of its circle, with balls of other divisions, both `finer` times as fine as
-/// E2's.
+/// there.
 ProxyScene finer_balls(int poses, double finer, const ProxySprings& springs);
 
 /// How the felt differs from the ideal.
