@@ -57,6 +57,8 @@ bool is_same(const BodyState& a, const BodyState& b) {
 /// Computes the session's constrained steps again.
 class Shadow {
  public:
+  static constexpr std::size_t kModels = 64;  // late ones are used long after they are made
+
   explicit Shadow(const SessionConfig& config) : config_(config) {
     body_.position = config.world_from_body.position;
     body_.orientation = config.world_from_body.orientation;
@@ -64,7 +66,7 @@ class Shadow {
   }
   void add(const LinearContactModel& model) {
     models_.push_back(model);
-    if (models_.size() > 4) models_.pop_front();
+    if (models_.size() > kModels) models_.pop_front();
   }
   LedStep step(const HapticSample& sample) {
     LedStep step;
@@ -178,6 +180,7 @@ SessionConfig led_config(const LedPair& pair, const LedGains& gains, double seco
   config.world_from_body = pair.start;
   config.duration = seconds;
   config.contact_every = gains.every;
+  config.contact_latency = gains.latency;
   config.contact.potential_law.area = 0.0625 * pair.reach * pair.reach;
   if (gains.is_potential) {
     use_potential(config);

@@ -38,6 +38,7 @@ struct LedGains {
   bool is_constrained = true;
   bool is_potential = false;  // the potential law instead of either, k of contact_stiffness
   int every = 1;              // haptic frames from one contact frame to the next
+  int latency = 1;            // haptic frames until a model is used
   double friction = 0.0;
   double stiffness = 1000.0, damping = 2.0;               // of the coupling [N/m, N s/m]
   double angular_stiffness = 0.5, angular_damping = 0.0;  // 0: ratio 0.7 [N m/rad, N m s/rad]

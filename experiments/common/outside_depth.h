@@ -46,7 +46,8 @@ struct DepthMemory {
 /// that passes through a triangle of the other. `b` is at rest in the world.
 ///
 /// memory  of the same two surfaces: a distance changes no faster than its point moves, so that
-///         what cannot be the deepest is not measured again. The result is the same without.
+///         what cannot be the deepest is not measured again. Of closed surfaces the result is the
+///         same without; where the side of a point is not known it may be another
 double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
                      DepthMemory& memory, int samples = 16);
 double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,

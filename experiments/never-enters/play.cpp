@@ -18,6 +18,7 @@ Ran play(const Seen& seen, const PressedScene& scene, const Play& how) {
   gains.is_constrained = how.is_constrained;
   gains.every = how.every;
   gains.threshold = how.threshold;
+  gains.latency = how.latency;
   Ran ran;
   DepthMemory memory;
   int frame = 0;

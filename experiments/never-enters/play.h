@@ -12,6 +12,7 @@ struct Play {
   int every;
   int look;                // frames from one look of the outside to the next
   double threshold = 0.0;  // s0 of levels far away; 0: exact
+  int latency = 1;         // haptic frames until a model is used
 };
 
 struct Ran {

@@ -129,7 +129,10 @@ Outcome blank() {
                    "rows most",
                    "fault"}},
       {.name = "age",
-       .columns = {"models count fully up to [ms]", "cube at rest, 30 Hz: above 50 Hz [mN rms]"}}};
+       .columns = {"models count fully up to [ms]", "cube at rest, 30 Hz: above 50 Hz [mN rms]"}},
+      {.name = "late",
+       .columns = {"scene", "models late by [ms]", "depth ever [um]", "depth at rest [um]",
+                   "frames held back", "frames"}}};
   outcome.figure = {
       .title = "How deep objects enter each other, pressed by 9 mm of hand travel at 1 kN/m",
       .note =
@@ -141,6 +144,24 @@ Outcome blank() {
                                      {.label = "penalty", .mark = plot::Mark::points}};
   outcome.figure.panels[0].guides = {{"333 Hz and more", 20.0}, {"30 Hz and more", 50.0}};
   return outcome;
+}
+
+/// Models that come late: the object has moved since they were made, and may have passed rows that
+/// they have and those before did not.
+void play_late(const Context& context, const PressedScene& scene, Outcome& outcome,
+               double& deepest) {
+  Seen seen{.pair = scene.make(), .object = {}, .scene = {}};
+  tell(context, "late models: " + seen.pair.name);
+  seen.object = make_depth_surface(seen.pair.object);
+  seen.scene = make_depth_surface(seen.pair.scene);
+  for (const int latency : {4, 8, 12}) {
+    const Play how{.is_constrained = true, .every = 1, .look = 7, .latency = latency};
+    const Ran ran = play(seen, scene, how);
+    add_row(outcome.tables[2],
+            {seen.pair.name, static_cast<double>(latency), ran.ever / kMicro, ran.at_rest / kMicro,
+             static_cast<double>(ran.run.held_back), static_cast<double>(ran.run.frames)});
+    deepest = std::max(deepest, ran.ever / kMicro);
+  }
 }
 
 /// Plays one scene in all ways.
@@ -203,6 +224,12 @@ Outcome run_never_enters(const Context& context) {
                                     "least energy at the port of any scene and rate, constraint",
                                     worst.energy, -1e-6, "J"));
   claim_rest(worst, outcome);
+  double late = 0.0;
+  for (const PressedScene& scene : scenes)
+    if (scene.name == "jaws" || scene.name == "ball joint")
+      play_late(context, scene, outcome, late);
+  outcome.claims.push_back(at_most(
+      "late", "jaws and ball joint, models 4, 8 and 12 ms late: deepest ever", late, 20.0, "um"));
   play_levels(context, outcome);
   outcome.claims.push_back(
       at_most("faults", "runs that a fault ended, constraint", worst.faults, 0.0));

@@ -45,7 +45,7 @@ struct Pressed {
     coupling.linear_damping = 2.0;
     coupling.angular_stiffness = 0.5;
     coupling.angular_damping = 5e-4;
-    params.slop = 5e-5 * reach;
+    params.slop = rows.world.slop;
     state.position = start;
     grasp(coupling, state, {start, Quat::Identity()});
   }

@@ -32,6 +32,27 @@ TEST(Latest, GivesTheNewestOnce) {
   EXPECT_EQ(latest.value(), 3);
 }
 
+TEST(Latest, OffersTheNewestUntilItIsTaken) {
+  Latest<int> latest;
+  EXPECT_EQ(latest.offered(), nullptr);
+  latest.publish(1);
+  ASSERT_NE(latest.offered(), nullptr);
+  EXPECT_EQ(*latest.offered(), 1);
+  EXPECT_EQ(latest.value(), 0);
+  EXPECT_EQ(*latest.offered(), 1);  // not taken: offered again
+  latest.publish(2);
+  latest.publish(3);
+  EXPECT_EQ(*latest.offered(), 3);
+  latest.take();
+  EXPECT_EQ(latest.value(), 3);
+  EXPECT_EQ(latest.offered(), nullptr);
+  latest.publish(4);
+  EXPECT_EQ(*latest.offered(), 4);
+  EXPECT_EQ(latest.value(), 3);  // what it has stays whole beside
+  EXPECT_TRUE(latest.fetch());
+  EXPECT_EQ(latest.value(), 4);
+}
+
 TEST(Latest, NeverTearsAndNeverGoesBack) {
   Latest<Numbered> latest;
   constexpr std::uint64_t kLast = 20000;

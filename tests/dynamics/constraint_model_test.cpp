@@ -1,6 +1,7 @@
 #include "thigma/dynamics/constraint_model.h"
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,34 @@ TEST(ConstraintModel, TravelBoundsTheWayOfEveryPoint) {
     const Vec3 from = a.position + a.orientation * point, to = b.position + b.orientation * point;
     EXPECT_LE((to - from).norm(), travel_between(a, b, reach) * (1.0 + 1e-12));
   }
+}
+
+/// A model made at a state, with one row: the origin of the body stays below a height.
+std::unique_ptr<ConstraintModel> below(double height, const BodyState& state, double travel) {
+  auto model = std::make_unique<ConstraintModel>();
+  model->state = state;
+  model->travel = travel;
+  model->reach = 0.02;
+  ContactRow row = make_row(RowKind::scene_plane);
+  row.scene_point = {0.0, 0.0, height};
+  row.scene_direction = Vec3::UnitZ();
+  model->rows.push_back(row);
+  return model;
+}
+
+TEST(ConstraintModel, IsTakenWhereTheBodyHasPassedNoneOfItsRows) {
+  BodyState then, now;
+  now.position = {0.0, 0.0, 1e-3};  // since the offered model was made
+  const auto held = below(0.1, then, 0.01);
+  EXPECT_TRUE(may_take(*below(2e-3, then, 0.01), *held, now));
+  EXPECT_FALSE(may_take(*below(0.5e-3, then, 0.01), *held, now));  // passed
+  EXPECT_FALSE(may_take(*below(2e-3, then, 0.5e-3), *held, now));  // says nothing here
+  EXPECT_TRUE(may_take(*below(0.5e-3, now, 0.01), *held, now));    // made here: nothing is newer
+  EXPECT_TRUE(may_take(*below(0.5e-3, then, 0.01), *below(0.1, then, 0.5e-3), now));
+  EXPECT_TRUE(may_take(*below(0.7e-3, then, 0.01), *below(0.6e-3, then, 0.01), now));
+  auto relief = below(0.5e-3, then, 0.01);
+  relief->rows[0].kind = RowKind::relief;
+  EXPECT_TRUE(may_take(*relief, *held, now));
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
   world.bodies.assign(bodies.begin(), bodies.end());
   for (const Vec3& v : world.object.vertices)
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
-  world.slop = kStandOff * world.reach;
+  constexpr double kSlop = 4e-6;  // of the reach: 80 nm of an object of 4 cm
+  world.slop = kSlop * world.reach;
   constexpr double kLeast = 2.5e-3, kMost = 0.3;  // of the reach: what a query may cost
   world.least_look_ahead = kLeast * world.reach;
   world.most_look_ahead = kMost * world.reach;
@@ -71,6 +72,11 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
     world.scene.push_back(features);
   }
   return world;
+}
+
+void widen(ConstraintWorld& world) noexcept {
+  constexpr double kSlop = 5e-5;  // of the reach
+  world.slop = kSlop * world.reach;
 }
 
 void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,

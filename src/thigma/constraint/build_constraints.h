@@ -15,12 +15,6 @@
 
 namespace thigma {
 
-/// The gap that is kept, of the reach: 80 nm of an object of 4 cm.
-inline constexpr double kStandOff = 4e-6;
-/// Likewise where a step leaves some of it: rows of relief leave out what is small, a world of
-/// bodies is solved in rounds.
-inline constexpr double kWideStandOff = 5e-5;
-
 /// What rows are made from. Constant while a session runs; hierarchies outlive it.
 struct ConstraintWorld {
   SurfaceFeatures object;
@@ -29,7 +23,7 @@ struct ConstraintWorld {
   std::vector<std::shared_ptr<const SurfaceFeatures>> scene;  // one a body
   ReliefPatches relief;                                       // of a textured world, else empty
   double reach = 0.0;  // of the object's farthest vertex from its centre of mass [m]
-  double slop = 0.0;   // the gap that is kept: kStandOff times it, where nobody says more [m]
+  double slop = 0.0;   // the gap that is kept [m]
   // tolerance of the query: at rest, and at most, whatever the speed [m]
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
@@ -40,6 +34,10 @@ struct ConstraintWorld {
 /// Thread          [offline]; throws std::bad_alloc
 ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
                                       std::span<const SceneBody> bodies);
+
+/// Keeps more of a gap, where a step may use up more of it: rows of relief leave out what is small, a
+/// world of bodies is solved in rounds.
+void widen(ConstraintWorld& world) noexcept;
 
 /// Working memory. Grows while warming up, never after.
 struct ConstraintScratch {

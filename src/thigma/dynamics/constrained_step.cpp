@@ -12,9 +12,6 @@
 namespace thigma {
 namespace {
 
-// Of a step whose turning leaves less than half of the gap that is kept: each leaves the square.
-constexpr int kCorrections = 3;
-
 /// Speed at which a gap may close, or has to open, in a step.
 double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT {
   const double room = gap - params.slop;
@@ -25,7 +22,7 @@ double limit_of(double gap, const ConstraintParams& params, double dt) THIGMA_RT
 /// How the rows stand before a step.
 struct GapsBefore {
   double least = kInfinity;           // [m]
-  std::array<double, kMaxRows> kept;  // what the step leaves of each: no more than slop [m]
+  std::array<double, kMaxRows> kept;  // what the step is to leave of each: no more than slop [m]
 };
 
 /// The rows at a state, as inequalities on the velocity.
@@ -99,23 +96,24 @@ double least_gap(const ConstraintModel& model, const BodyState& state) THIGMA_RT
 /// How the rows stand after a step.
 struct GapsAfter {
   double least = kInfinity;  // [m]
-  bool is_short = false;     // less than half is left of a gap that was to be kept
+  bool is_short = false;     // less is left of a gap than there was, and less than half of slop
+  std::array<double, kMaxRows> gap;  // [m]
 };
 
-/// Gaps after a step; limits are lowered by what turning made of them beyond their linear change.
-GapsAfter correct_limits(const StepBounds& bounds, const BodyState& after, const GapsBefore& before,
-                         VelocityRows& rows) THIGMA_RT {
-  GapsAfter gaps;
+void find_gaps(const StepBounds& bounds, const BodyState& after, const GapsBefore& before,
+               GapsAfter& gaps) THIGMA_RT {
+  constexpr double kSame = 0.999;  // but for rounding
   const Mat3 rotation = rotation_matrix(after.orientation);
+  gaps.least = kInfinity;
+  gaps.is_short = false;
   for (std::size_t i = 0; i < bounds.model.rows.size(); ++i) {
     const double gap = row_at(bounds.model.rows[i], after.position, rotation).gap;
     const double kept = before.kept[i];
+    gaps.gap[i] = gap;
     gaps.least = std::min(gaps.least, gap);
-    if (gap >= kept) continue;
-    gaps.is_short = gaps.is_short || gap < 0.5 * kept;
-    rows.limit[i] -= (kept - gap) / bounds.dt;
+    const double enough = std::min(kSame * kept, 0.5 * bounds.params.slop);
+    gaps.is_short = gaps.is_short || (kept > 0.0 && gap < enough);
   }
-  return gaps;
 }
 
 /// What a step is solved for: the metric and the velocity without rows.
@@ -130,6 +128,10 @@ void timed_solve(const FreeMotion& free, const VelocityRows& rows, std::int64_t 
   const std::int64_t begin = is_timed ? clock() : 0;
   result.solution = solve_rows(free.metric, free.velocity, rows, impulses);
   if (is_timed) result.solve_ns += clock() - begin;
+}
+
+Vec6 found(const FreeMotion& free, const ConstrainedStep& result) THIGMA_RT {
+  return result.solution.active == 0 ? free.velocity : result.solution.velocity;
 }
 
 /// Solves; where rows contradict each other, again without those that throw the body back, then
@@ -151,8 +153,39 @@ Vec6 solve(const FreeMotion& free, const StepBounds& bounds, VelocityRows& rows,
     }
     timed_solve(free, rows, clock, impulses, result);
   }
-  if (!result.solution.is_whole) return Vec6::Zero();
-  return result.solution.active == 0 ? free.velocity : result.solution.velocity;
+  return result.solution.is_whole ? found(free, result) : Vec6(Vec6::Zero());
+}
+
+/// How a step moves the body.
+struct StepMotion {
+  Vec6 velocity;
+  BodyState state;  // after it
+  GapsAfter gaps;
+};
+
+/// Solves again with limits lowered by what turning made of the gaps beyond their linear change. Once
+/// is enough: the object then turns less where a gap closes. A correction that other rows forbid is
+/// none.
+void correct(const StepWork& work, const FreeMotion& free, const GapsBefore& before,
+             VelocityRows& rows, RowImpulses& impulses, ConstrainedStep& result,
+             StepMotion& motion) THIGMA_RT {
+  if (!motion.gaps.is_short) return;
+  const StepBounds& bounds = work.bounds;
+  const std::array<double, kMaxRows> limit = rows.limit;
+  const RowImpulses pressed = impulses;
+  const RowSolution solution = result.solution;
+  for (std::size_t i = 0; i < bounds.model.rows.size(); ++i)
+    rows.limit[i] -= std::max(before.kept[i] - motion.gaps.gap[i], 0.0) / bounds.dt;
+  timed_solve(free, rows, bounds.clock, impulses, result);
+  if (!result.solution.is_whole) {
+    rows.limit = limit;
+    impulses = pressed;
+    result.solution = solution;
+    return;
+  }
+  motion.velocity = found(free, result);
+  motion.state = work.after(motion.velocity);
+  find_gaps(bounds, motion.state, before, motion.gaps);
 }
 
 /// The largest share of a step, to 2^-12, that ends within the travel, no gap below a least.
@@ -202,20 +235,17 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
   result.least_gap = before.least;
   // A model that came after the object had left its travel: its rows say nothing here, and the
   // object waits for the next.
-  if (is_beyond(model, at.state)) result.least_gap = kInfinity;
+  const bool is_late = is_beyond(model, at.state);
+  if (is_late) result.least_gap = kInfinity;
   const Mat6 metric = step_metric(at, forces.jacobian, dt);
   const FreeMotion unheld{metric, free};
   detail::add_bounces(memory, rows);
-  Vec6 velocity = solve(unheld, bounds, rows, impulses, result);
-  result.state = velocity == free ? unbound : work.after(velocity);
-  GapsAfter gaps = correct_limits(bounds, result.state, before, rows);
-  const bool is_squeezed = result.is_squeezed;
-  for (int i = 0; gaps.is_short && i < kCorrections; ++i) {
-    velocity = solve(unheld, bounds, rows, impulses, result);
-    result.state = work.after(velocity);
-    gaps = correct_limits(bounds, result.state, before, rows);
-  }
-  result.is_squeezed = is_squeezed;  // a correction that others forbid is none
+  StepMotion motion;
+  motion.velocity = solve(unheld, bounds, rows, impulses, result);
+  motion.state = motion.velocity == free ? unbound : work.after(motion.velocity);
+  find_gaps(bounds, motion.state, before, motion.gaps);
+  if (!is_late) correct(work, unheld, before, rows, impulses, result, motion);
+  result.state = motion.state;
   if (!bounds.pairs.empty()) {
     const Vec6 speed = velocity_of(at);
     result.impacts = detail::find_impacts({bounds, rows, impulses, speed, free}, memory);
@@ -230,9 +260,9 @@ ConstrainedStep constrained_step(const BodyAtState& at, const StepForces& forces
 
   result.is_held_back = is_beyond(model, result.state);
   const double least = std::min(result.least_gap, 0.0);
-  if (result.is_held_back || gaps.least < least) {
-    const double share = share_within(work, velocity, least);
-    result.state = work.after(share * velocity);
+  if (result.is_held_back || motion.gaps.least < least) {
+    const double share = share_within(work, motion.velocity, least);
+    result.state = work.after(share * motion.velocity);
     result.slip.work *= share;
   }
   return result;

@@ -1,8 +1,10 @@
 #include "thigma/dynamics/constraint_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "thigma/math/infinity.h"
+#include "thigma/math/rotation.h"
 
 namespace thigma {
 namespace {
@@ -47,6 +49,15 @@ RowAtState relief_at(const ContactRow& row, const Vec3& position, const Mat3& ro
   return at;
 }
 
+/// Least gap of rows but those of relief, which tell a depth to second order only.
+double least_plain_gap(const ConstraintModel& model, const Vec3& position,
+                       const Mat3& rotation) THIGMA_RT {
+  double least = kInfinity;
+  for (const ContactRow& row : model.rows)
+    if (row.kind != RowKind::relief) least = std::min(least, row_at(row, position, rotation).gap);
+  return least;
+}
+
 }  // namespace
 
 TangentPair tangents_of(const Vec3& normal) THIGMA_RT {
@@ -79,6 +90,19 @@ double travel_between(const BodyState& a, const BodyState& b, double reach) THIG
   const Quat turn = b.orientation * a.orientation.conjugate();
   // A point at r from the centre goes 2 r sin(angle / 2) at most; |vec(q)| is that sine.
   return (b.position - a.position).norm() + 2.0 * reach * turn.vec().norm();
+}
+
+bool may_take(const ConstraintModel& offered, const ConstraintModel& held,
+              const BodyState& body) THIGMA_RT {
+  constexpr double kAtRest = 1e-9;  // of the reach: nothing has moved since
+  if (travel_between(held.state, body, held.reach) > held.travel) return true;
+  const double moved = travel_between(offered.state, body, offered.reach);
+  if (moved > offered.travel) return false;
+  const Mat3 rotation = rotation_matrix(body.orientation);
+  // What began inside is led out by rows that it has passed.
+  return moved <= kAtRest * offered.reach ||
+         least_plain_gap(offered, body.position, rotation) >=
+             std::min(0.0, least_plain_gap(held, body.position, rotation));
 }
 
 }  // namespace thigma

@@ -19,7 +19,9 @@ inline constexpr int kMaxActive = 6;
 struct VelocityRows {
   int count = 0;
   std::array<std::array<double, kMaxRows>, 6> gradient;  // by unknown, then by row
-  std::array<double, kMaxRows> limit;                    // >= 0: rest is always allowed [m/s]
+  // of the speed along the gradient; below 0 the row has to open, and rows may contradict each
+  // other, else rest is allowed [m/s]
+  std::array<double, kMaxRows> limit;
   std::array<Friction, kMaxRows> friction;
   // two unit directions across the row's normal and the arm they act at [world]; read where there
   // is friction

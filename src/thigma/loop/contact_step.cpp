@@ -148,18 +148,14 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
 constexpr double kPairs = 1500.0;
 constexpr std::size_t kMostPairs = 6000;
 
-/// How far rows have to look ahead: what the object would go until the model after the next, as far
-/// as the query stays cheap. Pairs grow with the square of it; where none were found nothing is
-/// known of how, so that it grows step by step, or as far as was free. Where surfaces lie on each
-/// other that may be less than the usual least: then the object goes in small steps. What rows of
-/// relief leave out grows with the way: they look up to twice as far.
-double look_ahead(const ContactWorld& contact, double wanted, const ContactScratch& last) noexcept {
-  const ConstraintWorld& world = *contact.constraints;
+/// How far rows have to look ahead: what the object would go until the model after the next, in
+/// steps of two, as far as the query stays cheap. Pairs grow with the square of it; where none were
+/// found nothing is known of how, so that it grows step by step, or as far as was free. Where
+/// surfaces lie on each other that may be less than the usual least: then the object goes in small
+/// steps.
+double look_ahead(const ConstraintWorld& world, double wanted,
+                  const ContactScratch& last) noexcept {
   constexpr int kHalvings = 5;
-  constexpr double kQuarterOctave = 1.189207115002721;
-  constexpr double kSpare = 1.2;  // what is wanted is a guess
-  const bool has_relief = !contact.textures.is_empty();
-  const double finer = has_relief ? 2.0 : kQuarterOctave;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
   constexpr double kStep = 4.0;
   const double known =
@@ -171,8 +167,7 @@ double look_ahead(const ContactWorld& contact, double wanted, const ContactScrat
   };
   double ahead = world.least_look_ahead;
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
-  const double enough = std::min(has_relief ? wanted : kSpare * wanted, world.most_look_ahead);
-  while (ahead < enough && is_cheap(finer * ahead)) ahead *= finer;
+  while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
 }
 
@@ -184,16 +179,13 @@ double found_tolerance(const std::vector<ContactFront>& fronts, double asked) no
   return asked;
 }
 
-/// What was too far is tried again some frames later, where more is wanted, beginning halfway to
-/// it: a try that fails looks at all that is between.
-void note_crowd(double asked, double wanted, ContactScratch& scratch) noexcept {
-  constexpr double kHalfway = 1.4142135623730951;
+/// What was too far is tried again some frames later, where more is wanted: a try that fails looks
+/// at all that is between.
+void note_crowd(bool is_crowded, double wanted, ContactScratch& scratch) noexcept {
   constexpr double kReturn = 1.01;  // a frame
   constexpr double kEnough = 2.0;   // of what is wanted
-  if (scratch.looked_ahead < asked)
-    scratch.crowded_ahead = std::min(kHalfway * scratch.looked_ahead, asked / kHalfway);
-  else if (static_cast<double>(scratch.contacts.contacts.size()) > kPairs)
-    scratch.crowded_ahead = asked / kHalfway;
+  if (is_crowded)
+    scratch.crowded_ahead = scratch.looked_ahead;
   else if (scratch.looked_ahead < kEnough * wanted)
     scratch.crowded_ahead *= kReturn;
 }
@@ -228,7 +220,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double models = has_relief ? 4.0 : 2.0;
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
-  scratch.looked_ahead = look_ahead(world, wanted, scratch);
+  scratch.looked_ahead = look_ahead(*world.constraints, wanted, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
@@ -242,9 +234,9 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);
-  const double asked = scratch.looked_ahead;
-  if (found < query.tolerance) scratch.looked_ahead = found;  // there is no relief then
-  note_crowd(asked, wanted, scratch);
+  const bool is_crowded = found < query.tolerance;
+  if (is_crowded) scratch.looked_ahead = found;  // there is no relief then
+  note_crowd(is_crowded, wanted, scratch);
   scratch.separation = scratch.looked_ahead;
   const bool is_far = scratch.contacts.contacts.empty();
   if (has_relief) limit_to_relief(world.textures, scratch.looked_ahead, scratch.contacts);

@@ -26,6 +26,18 @@ HapticTick checked(const HapticTick& tick, HapticState& state) THIGMA_RT {
   return result;
 }
 
+/// The newest contact model, under constraints where its rows hold.
+void take_model(const HapticParams& params, const HapticPorts& ports,
+                const HapticState& state) THIGMA_RT {
+  const LinearContactModel* offered = ports.models->offered();
+  if (offered == nullptr) return;
+  const bool has_rows = params.response == ResponseKind::constrained && state.is_grasped &&
+                        ports.stepper.step == nullptr;
+  if (has_rows && !may_take(offered->constraints, ports.models->value().constraints, state.body))
+    return;
+  ports.models->take();
+}
+
 /// Step 1: the device sample, whether it may be believed, and the newest contact model.
 void read_inputs(const HapticParams& params, const HapticPorts& ports, const HapticTick& tick,
                  HapticState& state, HapticSample& sample) THIGMA_RT {
@@ -50,7 +62,7 @@ void read_inputs(const HapticParams& params, const HapticPorts& ports, const Hap
     if (params.passivity.is_on)
       observe_handle(params.passivity, device.motion, tick.now, state.passivity);
   }
-  ports.models->fetch();
+  take_model(params, ports, state);
   const LinearContactModel& model = ports.models->value();
   sample.model_sequence = model.sequence;
   sample.model_age =

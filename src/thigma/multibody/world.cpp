@@ -106,7 +106,7 @@ void make_pair_kinds(World& world) {
                       &second = world.shapes[idx(kind.second)];
       const SceneBody scene{second.hierarchy, second.body_from_mesh};
       kind.constraints = make_constraint_world(*first.hierarchy, first.body_from_mesh, {&scene, 1});
-      kind.constraints.slop = kWideStandOff * kind.constraints.reach;
+      widen(kind.constraints);
       world.kind_of[idx(a) * idx(count) + idx(b)] = world.kind_of[idx(b) * idx(count) + idx(a)] =
           static_cast<std::int32_t>(kinds->list.size());
       kinds->list.push_back(std::move(kind));

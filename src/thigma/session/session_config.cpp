@@ -66,7 +66,7 @@ void use_constraints(SessionConfig& config) {
   ConstraintWorld world =
       make_constraint_world(*contact.object, contact.body_from_mesh, contact.scene);
   world.relief = find_relief_patches(contact.textures);
-  if (!contact.textures.is_empty()) world.slop = kWideStandOff * world.reach;
+  if (!contact.textures.is_empty()) widen(world);
   contact.constraints = std::make_shared<const ConstraintWorld>(std::move(world));
   config.haptic.constraint.slop = contact.constraints->slop;
   config.haptic.response = ResponseKind::constrained;
