@@ -30,9 +30,9 @@ TEST(LateModels, LetNothingEnter) {
       pressed += s.contact.force.norm() > 0.1;
       if (s.frame % 5 != 0) return;
       const Pose body{s.body.position, s.body.orientation};
-      deepest = std::max(deepest,
-                         experiments::outside_depth(
-                             upper, body * session.config.contact.body_from_mesh, lower, memory));
+      deepest = std::max(
+          deepest, experiments::outside_depth(upper, body * session.config.contact.body_from_mesh,
+                                              lower, memory));
     };
     const SessionSummary summary = run_lockstep(session, sinks);
     EXPECT_EQ(deepest, 0.0) << latency << " ms late";

@@ -35,8 +35,8 @@ struct ConstraintWorld {
 ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& body_from_mesh,
                                       std::span<const SceneBody> bodies);
 
-/// Keeps more of a gap, where a step may use up more of it: rows of relief leave out what is small, a
-/// world of bodies is solved in rounds.
+/// Keeps more of a gap, where a step may use up more of it: rows of relief leave out what is small,
+/// a world of bodies is solved in rounds.
 void widen(ConstraintWorld& world) noexcept;
 
 /// Working memory. Grows while warming up, never after.

@@ -163,9 +163,9 @@ struct StepMotion {
   GapsAfter gaps;
 };
 
-/// Solves again with limits lowered by what turning made of the gaps beyond their linear change. Once
-/// is enough: the object then turns less where a gap closes. A correction that other rows forbid is
-/// none.
+/// Solves again with limits lowered by what turning made of the gaps beyond their linear change.
+/// Once is enough: the object then turns less where a gap closes. A correction that other rows
+/// forbid is none.
 void correct(const StepWork& work, const FreeMotion& free, const GapsBefore& before,
              VelocityRows& rows, RowImpulses& impulses, ConstrainedStep& result,
              StepMotion& motion) THIGMA_RT {
