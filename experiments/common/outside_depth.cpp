@@ -155,27 +155,21 @@ struct Vertices {
 };
 
 Vertices place(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b,
-               const DepthMemory::Side& last) {
+               DepthMemory::Side& last) {
   Vertices at;
-  const bool is_known = last.points.size() == a.mesh.positions.size();
+  last.points.resize(a.mesh.positions.size(), Vec3::Zero());
+  last.distance.resize(a.mesh.positions.size(), -kFar);
   for (std::size_t i = 0; i < a.mesh.positions.size(); ++i) {
     at.points.push_back(transform_point(b_from_a, a.mesh.positions[i]));
     const double beside = box_square(b.nodes.front(), at.points[i]);
-    double least = beside > 0.0 ? std::sqrt(beside) : -kFar;
-    if (is_known)
-      least = std::max(least, last.distance[i] - (at.points[i] - last.points[i]).norm());
-    at.distance.push_back(least);
+    const double remembered = last.distance[i] - (at.points[i] - last.points[i]).norm();
+    at.distance.push_back(std::max(beside > 0.0 ? std::sqrt(beside) : -kFar, remembered));
   }
   return at;
 }
 
 /// The deepest vertex; what cannot be it is left alone.
 double deepest_vertex(const DepthSurface& b, Vertices& at, DepthMemory::Side& memory) {
-  if (memory.points.size() != at.points.size()) {
-    memory.points = at.points;
-    memory.distance.assign(at.points.size(), -kFar);
-    memory.deepest = 0;
-  }
   double deepest = 0.0;
   const auto look_at = [&](std::size_t i) {
     if (-at.distance[i] <= deepest) return;

@@ -210,11 +210,8 @@ double pairs_within(double distance, const LedPair& pair, const Pose& object) {
 /// of the scene above, so that they fit.
 TriangleMesh wavy_block(int n, bool is_object) {
   constexpr double kSize = 0.04, kThick = 0.01, kWave = 5e-4;
-  const std::vector<double> steps = [n] {
-    std::vector<double> at;
-    for (int i = 0; i <= n; ++i) at.push_back(kSize * (static_cast<double>(i) / n - 0.5));
-    return at;
-  }();
+  std::vector<double> steps;
+  for (int i = 0; i <= n; ++i) steps.push_back(kSize * (static_cast<double>(i) / n - 0.5));
   const double other = is_object ? kThick : -kThick;
   const double zs[] = {std::min(0.0, other), std::max(0.0, other)};
   TriangleMesh mesh = make_blocks(steps, steps, zs, [](int, int, int) { return true; });

@@ -68,10 +68,6 @@ struct StepWork {
   }
 };
 
-bool is_beyond(const ConstraintModel& model, const BodyState& state) THIGMA_RT {
-  return travel_between(model.state, state, model.reach) > model.travel;
-}
-
 Vec6 velocity_of(const BodyAtState& at) THIGMA_RT {
   Vec6 velocity;
   velocity << at.state.linear_momentum / at.body.mass,

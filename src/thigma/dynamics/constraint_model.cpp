@@ -92,17 +92,20 @@ double travel_between(const BodyState& a, const BodyState& b, double reach) THIG
   return (b.position - a.position).norm() + 2.0 * reach * turn.vec().norm();
 }
 
+bool is_beyond(const ConstraintModel& model, const BodyState& body) THIGMA_RT {
+  return travel_between(model.state, body, model.reach) > model.travel;
+}
+
 bool may_take(const ConstraintModel& offered, const ConstraintModel& held,
               const BodyState& body) THIGMA_RT {
   constexpr double kAtRest = 1e-9;  // of the reach: nothing has moved since
-  if (travel_between(held.state, body, held.reach) > held.travel) return true;
-  const double moved = travel_between(offered.state, body, offered.reach);
-  if (moved > offered.travel) return false;
+  if (is_beyond(held, body)) return true;
+  if (is_beyond(offered, body)) return false;
+  if (travel_between(offered.state, body, offered.reach) <= kAtRest * offered.reach) return true;
   const Mat3 rotation = rotation_matrix(body.orientation);
+  const double least = least_plain_gap(offered, body.position, rotation);
   // What began inside is led out by rows that it has passed.
-  return moved <= kAtRest * offered.reach ||
-         least_plain_gap(offered, body.position, rotation) >=
-             std::min(0.0, least_plain_gap(held, body.position, rotation));
+  return least >= 0.0 || least >= least_plain_gap(held, body.position, rotation);
 }
 
 }  // namespace thigma

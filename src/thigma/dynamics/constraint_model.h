@@ -192,11 +192,15 @@ RowAtState row_at(const ContactRow& row, const Vec3& position, const Mat3& rotat
 /// Thread    [haptic].
 double travel_between(const BodyState& a, const BodyState& b, double reach) THIGMA_RT;
 
+/// Whether a body may be farther from where a model was made than its rows hold.
+/// Thread    [haptic].
+bool is_beyond(const ConstraintModel& model, const BodyState& body) THIGMA_RT;
+
 /// Whether the rows of a model that has come hold for a body that has moved since: it is within
-/// their travel and has passed none of them, or no other model says more. The body may have gone
-/// beside a surface beyond a plane that another model need not have had; taken, such a model would
-/// let it enter from there. Until one comes that may be taken the body stays within the travel of
-/// the one it has, at whose end it rests, so that the next holds where it is.
+/// their travel and has passed none of them, or no other model says more. A body that goes beside a
+/// surface may pass a plane that the model in use does not have. The new model would let it enter
+/// from behind that plane. Until one may be taken the body stays within the travel of the one it
+/// has. At its end it rests, and the next model holds where it is.
 ///
 /// offered, held  the model that has come, and the one in use
 /// body           where it is now

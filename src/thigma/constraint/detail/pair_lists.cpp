@@ -70,8 +70,8 @@ void make_list(RowSearch& search, const Contact& contact, const PairReach& reach
   list.scene_from_object = search.scene_from_object.orientation;
   list.travel = reach.travel;
   list.slack = reach.slack;
-  list.checked =
-      -1;  // the place may have been of two other patches, and found to hold in this call
+  // The place may have been of two other patches, and found to hold in this call.
+  list.checked = -1;
   const Slab slab = find_slab(search, contact, reach.travel);
   const std::int64_t left_out = search.left_out;
   std::array<std::size_t, 3> ends{};
@@ -106,8 +106,7 @@ const PairList* find_list(const RowSearch& search, const Contact& contact,
                           const RowScratch& scratch) noexcept {
   if (scratch.lists.empty()) return nullptr;
   const PairList& list = scratch.lists[hash_of(search, contact) % scratch.lists.size()];
-  const bool is_kept = list.checked == scratch.calls && !list.is_full;
-  return is_kept && is_of(list, search, contact) ? &list : nullptr;
+  return list.checked == scratch.calls && is_of(list, search, contact) ? &list : nullptr;
 }
 
 const PairList* keep_list(RowSearch& search, const Contact& contact, RowScratch& scratch) noexcept {
