@@ -2,6 +2,7 @@
 // Contact queries where constrained sessions ask them: ours beside the point shell's, on the path
 // that the exact rows let the object take.
 
+#include <string>
 #include <vector>
 
 #include "benchmarks/bench_rows.h"
@@ -13,5 +14,8 @@ namespace thigma::bench {
 /// poses and tolerances. Accuracy: of the answers against a fresh exact query, and of sessions
 /// that have these contacts.
 std::vector<Measurement> proxy_measurements(bool quick);
+
+/// The same of a scene by name or file.
+Measurement proxy_measurement(const std::string& scene, bool quick);
 
 }  // namespace thigma::bench

@@ -6,6 +6,7 @@
 
 #include "benchmarks/bench_rows.h"
 #include "benchmarks/probe.h"
+#include "benchmarks/proxy_bench.h"
 #include "json_out.h"
 #include "verbs.h"
 #include <nlohmann/json.hpp>
@@ -125,7 +126,31 @@ void print_machine(bool as_json, double seconds) {
   std::fflush(stdout);
 }
 
-int run_bench(const std::string& filter, bool quick, bool full, const Common& common) {
+/// What the command line asks for.
+struct Asked {
+  std::string filter = kEverything;
+  std::vector<std::string> scenes;
+  bool quick = false, full = false;
+};
+
+/// Those whose names match.
+std::vector<bench::Measurement> choose(const Asked& asked, const std::regex& pattern, bool quiet) {
+  std::vector<bench::Measurement> wanted = bench::measurements(asked.quick);
+  std::erase_if(wanted,
+                [&](const bench::Measurement& m) { return !std::regex_search(m.name, pattern); });
+  // What takes many minutes runs when it is asked for.
+  if (asked.full || asked.filter != kEverything) return wanted;
+  std::erase_if(wanted, [&](const bench::Measurement& m) {
+    if (m.is_heavy && !quiet)
+      std::fprintf(stderr, "left out, takes long: %s (--full, or --filter)\n", m.name.c_str());
+    return m.is_heavy;
+  });
+  return wanted;
+}
+
+int run_bench(const Asked& asked, const Common& common) {
+  const std::string& filter = asked.filter;
+  const bool quick = asked.quick;
   std::regex pattern;
   try {
     pattern = std::regex(filter);
@@ -133,17 +158,10 @@ int run_bench(const std::string& filter, bool quick, bool full, const Common& co
     std::fprintf(stderr, "thigma: --filter: '%s' is not a regular expression\n", filter.c_str());
     return kUsage;
   }
-  std::vector<bench::Measurement> wanted = bench::measurements(quick);
-  std::erase_if(wanted,
-                [&](const bench::Measurement& m) { return !std::regex_search(m.name, pattern); });
-  // What takes many minutes runs when it is asked for.
-  if (!full && filter == kEverything) {
-    std::erase_if(wanted, [&](const bench::Measurement& m) {
-      if (m.is_heavy && !common.quiet)
-        std::fprintf(stderr, "left out, takes long: %s (--full, or --filter)\n", m.name.c_str());
-      return m.is_heavy;
-    });
-  }
+  std::vector<bench::Measurement> wanted;
+  if (asked.scenes.empty()) wanted = choose(asked, pattern, common.quiet);
+  for (const std::string& scene : asked.scenes)
+    wanted.push_back(bench::proxy_measurement(scene, quick));
   if (!wanted.empty()) print_machine(common.json, quick ? 0.2 : 2.0);
   for (const bench::Measurement& measurement : wanted) {
     if (!common.quiet) std::fprintf(stderr, "measuring %s\n", measurement.name.c_str());
@@ -164,14 +182,21 @@ int run_bench(const std::string& filter, bool quick, bool full, const Common& co
 }  // namespace
 
 void add_bench(CLI::App& app, Common& common) {
-  static std::string filter = kEverything;
-  static bool quick = false, full = false;
+  static Asked asked;
   CLI::App* verb =
       add_verb(app, common, "bench", "measure, in CPU time, each figure beside its baseline",
-               [&common] { return run_bench(filter, quick, full, common); });
-  verb->add_option("--filter", filter, "regular expression on the names of the measurements");
-  verb->add_flag("--quick", quick, "few frames: to see that it works, not to quote");
-  verb->add_flag("--full", full, "also what takes many minutes: pairs of a million triangles each");
+               [&common] { return run_bench(asked, common); });
+  CLI::Option* filter = verb->add_option("--filter", asked.filter,
+                                         "regular expression on the names of the measurements");
+  verb->add_option(
+          "--scene", asked.scenes,
+          "instead: contact queries of a constrained session of this scene, beside a point "
+          "shell; once a scene")
+      ->allow_extra_args(false)
+      ->excludes(filter);
+  verb->add_flag("--quick", asked.quick, "few frames: to see that it works, not to quote");
+  verb->add_flag("--full", asked.full,
+                 "also what takes many minutes: pairs of a million triangles each");
 }
 
 }  // namespace thigma::app

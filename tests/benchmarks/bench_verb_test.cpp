@@ -63,5 +63,31 @@ TEST(BenchVerb, SaysWhatItLeavesOut) {
   EXPECT_NE(e.err.find("levels-conforming-1m"), std::string::npos) << e.err;
 }
 
+TEST(BenchVerb, MeasuresAConstrainedSessionOfAnyScene) {
+  const std::string scene =
+      write_text("bench_boxes.toml",
+                 "[object]\nmesh = \"procedural:box\"\nposition = [0.0, 0.0, 0.05]\n"
+                 "[[static]]\nmesh = \"procedural:box\"\n");
+  const Ended e = run_program({"bench", "--quick", "--json", "--scene", scene}, 300.0);
+  ASSERT_EQ(e.code, 0) << e.err;
+  const std::vector<nlohmann::json> lines = json_lines(e);
+  ASSERT_EQ(lines.size(), 7u);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const nlohmann::json& row = lines[i];
+    const std::string name = row["name"];
+    expect_figure(row["ours"], name);
+    expect_figure(row["baseline"], name);
+    if (name.find("exact") == std::string::npos) continue;
+    EXPECT_EQ(row["force_error_ours"].get<double>(), 0.0) << name;
+    EXPECT_LT(row["entered_ours"].get<double>(), 1e-9) << name;
+  }
+}
+
+TEST(BenchVerb, NamesASceneThatIsNotThere) {
+  const Ended e = run_program({"bench", "--quick", "--scene", "no such scene"});
+  EXPECT_EQ(e.code, 4);
+  EXPECT_NE(e.err.find("no such scene"), std::string::npos) << e.err;
+}
+
 }  // namespace
 }  // namespace thigma::test
