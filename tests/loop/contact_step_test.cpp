@@ -84,7 +84,6 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   EXPECT_EQ(sample.travel_halvings, 0);
   EXPECT_EQ(sample.left_out, 0);
   EXPECT_EQ(sample.travel, sample.model.constraints.travel);
-  EXPECT_EQ(sample.look_ahead, config.contact.constraints->least_look_ahead);
   EXPECT_GT(sample.travel, 0.5 * sample.look_ahead);
 
   SessionConfig narrow = config;
@@ -105,6 +104,32 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   const double looked = sample.look_ahead;
   contact_step(narrow.contact, at_height(0.01 + 1e-9), little, sample);
   EXPECT_LT(sample.look_ahead, looked);
+}
+
+// At rest: a hand that starts has gone less far by the next model, the sooner it comes.
+TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
+  const ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
+  const ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
+  SessionConfig config;
+  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+  config.contact.object = &cube;
+  config.contact.scene = {{&sheet, Pose{}}};
+  use_constraints(config);
+  ContactScratch scratch;
+  reserve_contact_scratch(config.contact, scratch);
+  ContactSample sample;
+  StampedBody body = at_height(0.01 + 1e-5);
+  const auto looks_after = [&](double period) {
+    body.time += period;
+    contact_step(config.contact, body, scratch, sample);
+    EXPECT_EQ(sample.rows, 4);
+    return sample.look_ahead;
+  };
+  const double least = config.contact.constraints->least_look_ahead;
+  looks_after(1e-3);
+  EXPECT_EQ(looks_after(1e-3), 0.5 * least);
+  EXPECT_EQ(looks_after(3e-3), least);
+  EXPECT_EQ(looks_after(0.5e-3), 0.5 * least);
 }
 
 // Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at

@@ -148,12 +148,19 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
 constexpr double kPairs = 1500.0;
 constexpr std::size_t kMostPairs = 6000;
 
+/// Least that rows look ahead by, however slow the hand: it may be fast by the model after the
+/// next. Models that follow each other soon have half as far to say.
+double least_ahead(const ConstraintWorld& world, double step_time) noexcept {
+  constexpr double kSoon = 1.5e-3;  // [s]
+  return step_time <= kSoon ? 0.5 * world.least_look_ahead : world.least_look_ahead;
+}
+
 /// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps of two, as far as the query stays cheap. Pairs grow with the square of it; where none were
-/// found nothing is known of how, so that it grows step by step, or as far as was free. Where
-/// surfaces lie on each other that may be less than the usual least: then the object goes in small
-/// steps.
-double look_ahead(const ConstraintWorld& world, double wanted,
+/// steps of two from the least, as far as the query stays cheap. Pairs grow with the square of it;
+/// where none were found nothing is known of how, so that it grows step by step, or as far as was
+/// free. Where surfaces lie on each other that may be less than the usual least: then the object
+/// goes in small steps.
+double look_ahead(const ConstraintWorld& world, double wanted, double least,
                   const ContactScratch& last) noexcept {
   constexpr int kHalvings = 5;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
@@ -165,7 +172,7 @@ double look_ahead(const ConstraintWorld& world, double wanted,
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
     return pairs * growth * growth <= kPairs && ahead <= known;
   };
-  double ahead = world.least_look_ahead;
+  double ahead = least;
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
   while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
@@ -220,7 +227,10 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double models = has_relief ? 4.0 : 2.0;
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
-  scratch.looked_ahead = look_ahead(*world.constraints, wanted, scratch);
+  const ConstraintWorld& constraints = *world.constraints;
+  const double least =
+      has_relief ? constraints.least_look_ahead : least_ahead(constraints, step_time);
+  scratch.looked_ahead = look_ahead(constraints, wanted, least, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
