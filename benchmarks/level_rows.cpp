@@ -29,6 +29,15 @@ Resolution levels(double cap, double budget = 0.0) {
   return r;
 }
 
+/// One D for all contacts of a patch, at the s0 whose force is as near as that of the defaults.
+Resolution patch_levels(double carry) {
+  Resolution r = levels(kNoCap);
+  r.metric.haptic = 0.05;
+  r.reading = SupportReading::patch;
+  r.carry = carry;
+  return r;
+}
+
 Row level_row(const BenchPair& pair, const LevelTiming& ours,
               const std::optional<LevelTiming>& exact) {
   Row row;
@@ -97,6 +106,8 @@ std::vector<Row> measure_case(LevelCase c, bool quick) {
   };
   measure("levels s0 = 2.5 %, no cap", levels(kNoCap), 3);
   measure("levels s0 = 2.5 %, cap 2 %", levels(0.02), 3);
+  measure("levels s0 = 5 %, one D a patch", patch_levels(0.0), 3);
+  measure("levels s0 = 5 %, one D a patch, carried", patch_levels(0.1), 3);
   if (c.is_heavy) {
     measure("levels s0 = 2.5 %, no cap, budget 500 us", levels(kNoCap, 500e-6), 3);
     measure("levels s0 = 2.5 %, cap 2 %, budget 500 us", levels(0.02, 500e-6), 3);

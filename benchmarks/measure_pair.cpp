@@ -135,6 +135,7 @@ LevelTiming measure_levels(const BenchPair& pair, const std::vector<Pose>& path,
   LevelTiming out;
   ContactFront front;
   reserve_front(front, pair.object, pair.scene);
+  if (resolution.carry > 0.0) reserve_carried(front);
   ContactSet set;
   set.contacts.reserve(kRoom);
   const ContactQuery query{.tolerance = pair.tolerance, .resolution = resolution};
