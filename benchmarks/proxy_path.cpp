@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "thigma/clod/clod_asset.h"
+#include "thigma/core/error.h"
 #include "thigma/core/latest.h"
 #include "thigma/scene/scene_file.h"
 
@@ -12,6 +13,9 @@ namespace thigma::bench {
 
 ProxyScene load_proxy_scene(const ProxyRequest& request) {
   SceneDescription description = read_scene(request.scene);
+  if (description.simulation)
+    throw InputError(request.scene +
+                     ": nobody holds its object, expected a scene without [simulation]");
   ProxyScene out;
   const ResponseKind own =
       description.contact.response.value_or(default_response(description, true));

@@ -83,10 +83,12 @@ TEST(BenchVerb, MeasuresAConstrainedSessionOfAnyScene) {
   }
 }
 
-TEST(BenchVerb, NamesASceneThatIsNotThere) {
-  const Ended e = run_program({"bench", "--quick", "--scene", "no such scene"});
-  EXPECT_EQ(e.code, 4);
-  EXPECT_NE(e.err.find("no such scene"), std::string::npos) << e.err;
+TEST(BenchVerb, NamesScenesThatItCannotMeasure) {
+  for (const std::string scene : {"no such scene", "spoon_in_cup"}) {
+    const Ended e = run_program({"bench", "--quick", "--scene", scene});
+    EXPECT_EQ(e.code, 4) << e.err;
+    EXPECT_NE(e.err.find(scene + ": n"), std::string::npos) << e.err;
+  }
 }
 
 }  // namespace
