@@ -124,5 +124,18 @@ TEST(PairLists, MoreThanAListHoldsIsSearchedWithoutOne) {
   EXPECT_TRUE(std::any_of(lists.begin(), lists.end(), [](const auto& l) { return l.is_full; }));
 }
 
+TEST(PairLists, MakeTheSameRowsWherePairsOfPatchesShareAPlace) {
+  for (const std::size_t places : {1U, 2U, 4U}) {
+    // Disks whose rims cross: one pair of patches has more than a list holds, others have not.
+    Twins twins(make_cylinder(0.05, 0.01, 96), make_cylinder(0.05, 0.01, 96));
+    twins.listed.scratch.rows.lists.resize(places);
+    const std::int64_t rows = walk(twins, {0.06, 0.0, 0.01002}, 1e-4, 5, true);
+    if (HasFatalFailure()) return;
+    EXPECT_GT(rows, 100) << places;
+    const RowScratch& scratch = twins.listed.scratch.rows;
+    EXPECT_GT(scratch.lists_made, 300) << places << ": hardly a place is shared";
+  }
+}
+
 }  // namespace
 }  // namespace thigma
