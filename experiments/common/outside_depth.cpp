@@ -185,6 +185,29 @@ double deepest_vertex(const DepthSurface& b, Vertices& at, DepthMemory::Side& me
   return deepest;
 }
 
+/// An edge, and how far its ends are from the other surface at the least; negative inside [m].
+struct Edge {
+  Vec3 from, to;
+  double at_from, at_to;
+};
+
+/// The deepest of the points on an edge, where one is deeper than so much. A distance changes no
+/// faster than its point moves: what cannot be deeper is not measured.
+double deepest_on(const Edge& edge, const DepthSurface& b, int samples, double deepest) {
+  const double length = (edge.to - edge.from).norm();
+  double last = edge.at_from, last_share = 0.0;
+  for (int n = 1; n < samples; ++n) {
+    const double share = static_cast<double>(n) / samples;
+    const double least =
+        std::max(last - (share - last_share) * length, edge.at_to - (1.0 - share) * length);
+    if (-least <= deepest) continue;
+    last = signed_distance(b, edge.from + share * (edge.to - edge.from));
+    last_share = share;
+    deepest = std::max(deepest, -last);
+  }
+  return deepest;
+}
+
 /// Depth of the points of one surface in the other.
 double depth_of(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b, int samples,
                 DepthMemory::Side& memory) {
@@ -199,10 +222,7 @@ double depth_of(const DepthSurface& a, const Pose& b_from_a, const DepthSurface&
       // No point of the edge is deeper.
       if (0.5 * ((to - from).norm() - at.distance[i] - at.distance[j]) <= deepest) continue;
       if (!boxes_meet(all, from.cwiseMin(to), from.cwiseMax(to)) || !passes(b, from, to)) continue;
-      for (int n = 1; n < samples; ++n) {
-        const double share = static_cast<double>(n) / samples;
-        deepest = std::max(deepest, -signed_distance(b, from + share * (to - from)));
-      }
+      deepest = deepest_on({from, to, at.distance[i], at.distance[j]}, b, samples, deepest);
     }
   }
   return deepest;
