@@ -29,7 +29,7 @@ Resolution levels(double cap, double budget = 0.0) {
   return r;
 }
 
-/// One D for all contacts of a patch, at the s0 whose force is as near as that of the defaults.
+/// One D for all contacts of a patch, at the s0 whose force on the jaws is as near as the defaults'.
 Resolution patch_levels(double carry) {
   Resolution r = levels(kNoCap);
   r.metric.haptic = 0.05;

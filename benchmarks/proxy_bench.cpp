@@ -8,6 +8,7 @@
 #include "benchmarks/proxy_path.h"
 
 #include "thigma/clod/clod_asset.h"
+#include "thigma/scene/scene_file.h"
 
 namespace thigma::bench {
 namespace {
@@ -138,6 +139,7 @@ std::vector<Measurement> proxy_measurements(bool quick) {
 }
 
 Measurement proxy_measurement(const std::string& scene, bool quick) {
+  check_can_measure(read_scene(scene), scene);
   return measurement_of({.scene = scene}, quick);
 }
 

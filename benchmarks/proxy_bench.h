@@ -15,7 +15,8 @@ namespace thigma::bench {
 /// that have these contacts.
 std::vector<Measurement> proxy_measurements(bool quick);
 
-/// The same of a scene by name or file.
+/// The same of a scene by name or file, in the simulated hand with a contact frame a millisecond,
+/// whatever device and rates it names. Thread [offline]; InputError for what cannot be measured.
 Measurement proxy_measurement(const std::string& scene, bool quick);
 
 }  // namespace thigma::bench

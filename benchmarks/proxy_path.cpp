@@ -11,11 +11,19 @@
 
 namespace thigma::bench {
 
+void check_can_measure(const SceneDescription& scene, const std::string& name) {
+  if (scene.simulation)
+    throw InputError(name + ": nobody holds its object, expected a scene without [simulation]");
+  if (scene.statics.size() != 1)
+    throw InputError(name + ": " + std::to_string(scene.statics.size()) +
+                     " static objects, expected one: the point shell is of two surfaces");
+  if (has_relief(scene))
+    throw InputError(name + ": has relief, expected a scene without: the point shell has none");
+}
+
 ProxyScene load_proxy_scene(const ProxyRequest& request) {
   SceneDescription description = read_scene(request.scene);
-  if (description.simulation)
-    throw InputError(request.scene +
-                     ": nobody holds its object, expected a scene without [simulation]");
+  check_can_measure(description, request.scene);
   ProxyScene out;
   const ResponseKind own =
       description.contact.response.value_or(default_response(description, true));

@@ -25,7 +25,11 @@ struct ProxyRequest {
   bool has_levels_far = false;  // coarse contacts where they are far apart, at s0 = 2.5 %
 };
 
-/// Loads a scene. Thread [offline]; throws InputError.
+/// Throws InputError where a scene cannot be asked beside the point shell: nobody holds its object,
+/// there are several others, or something has relief. Thread [offline].
+void check_can_measure(const SceneDescription& scene, const std::string& name);
+
+/// Loads a scene that can be measured. Thread [offline]; throws InputError.
 ProxyScene load_proxy_scene(const ProxyRequest& request);
 
 /// A session's configuration, and the hand that will hold its object.

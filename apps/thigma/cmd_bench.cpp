@@ -188,15 +188,16 @@ void add_bench(CLI::App& app, Common& common) {
                [&common] { return run_bench(asked, common); });
   CLI::Option* filter = verb->add_option("--filter", asked.filter,
                                          "regular expression on the names of the measurements");
+  verb->add_flag("--quick", asked.quick, "few frames: to see that it works, not to quote");
+  CLI::Option* full = verb->add_flag(
+      "--full", asked.full, "also what takes many minutes: pairs of a million triangles each");
   verb->add_option(
           "--scene", asked.scenes,
-          "instead: contact queries of a constrained session of this scene, beside a point "
-          "shell; once a scene")
+          "instead: contact queries of a constrained session of this scene in the simulated "
+          "hand, a contact frame a millisecond, beside a point shell; once a scene")
       ->allow_extra_args(false)
-      ->excludes(filter);
-  verb->add_flag("--quick", asked.quick, "few frames: to see that it works, not to quote");
-  verb->add_flag("--full", asked.full,
-                 "also what takes many minutes: pairs of a million triangles each");
+      ->excludes(filter)
+      ->excludes(full);
 }
 
 }  // namespace thigma::app

@@ -114,6 +114,33 @@ double box_square(const DepthSurface::Node& node, const Vec3& p) {
   return (node.low - p).cwiseMax(p - node.high).cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
+/// Distance of a point, negative inside; where it is no more than so much, at least minus what was
+/// found nearest until then, which is no more either.
+double distance_beyond(const DepthSurface& s, const Vec3& p, double enough) {
+  Nearest best;
+  const double enough_square = enough > 0.0 ? enough * enough : -1.0;
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const DepthSurface::Node& node = s.nodes[static_cast<std::size_t>(stack.back())];
+    stack.pop_back();
+    if (box_square(node, p) >= best.square) continue;
+    if (node.left < 0) {
+      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+        look_at_triangle(s, s.order[static_cast<std::size_t>(i)], p, best);
+      if (best.square <= enough_square) return -std::sqrt(best.square);
+      continue;
+    }
+    std::int32_t near = node.left, far = node.right;
+    if (box_square(s.nodes[static_cast<std::size_t>(far)], p) <
+        box_square(s.nodes[static_cast<std::size_t>(near)], p))
+      std::swap(near, far);
+    stack.push_back(far);
+    stack.push_back(near);
+  }
+  const double distance = std::sqrt(best.square);
+  return best.normal.dot(p - best.point) < 0.0 ? -distance : distance;
+}
+
 bool boxes_meet(const DepthSurface::Node& node, const Vec3& low, const Vec3& high) {
   return (node.low.array() <= high.array()).all() && (node.high.array() >= low.array()).all();
 }
@@ -173,7 +200,7 @@ double deepest_vertex(const DepthSurface& b, Vertices& at, DepthMemory::Side& me
   double deepest = 0.0;
   const auto look_at = [&](std::size_t i) {
     if (-at.distance[i] <= deepest) return;
-    const double distance = signed_distance(b, at.points[i]);
+    const double distance = distance_beyond(b, at.points[i], deepest);
     at.distance[i] = memory.distance[i] = distance;
     memory.points[i] = at.points[i];
     if (-distance <= deepest) return;
@@ -201,7 +228,7 @@ double deepest_on(const Edge& edge, const DepthSurface& b, int samples, double d
     const double least =
         std::max(last - (share - last_share) * length, edge.at_to - (1.0 - share) * length);
     if (-least <= deepest) continue;
-    last = signed_distance(b, edge.from + share * (edge.to - edge.from));
+    last = distance_beyond(b, edge.from + share * (edge.to - edge.from), deepest);
     last_share = share;
     deepest = std::max(deepest, -last);
   }
@@ -242,28 +269,7 @@ DepthSurface make_depth_surface(const TriangleMesh& mesh) {
   return s;
 }
 
-double signed_distance(const DepthSurface& s, const Vec3& p) {
-  Nearest best;
-  std::vector<std::int32_t> stack{0};
-  while (!stack.empty()) {
-    const DepthSurface::Node& node = s.nodes[static_cast<std::size_t>(stack.back())];
-    stack.pop_back();
-    if (box_square(node, p) >= best.square) continue;
-    if (node.left < 0) {
-      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-        look_at_triangle(s, s.order[static_cast<std::size_t>(i)], p, best);
-      continue;
-    }
-    std::int32_t near = node.left, far = node.right;
-    if (box_square(s.nodes[static_cast<std::size_t>(far)], p) <
-        box_square(s.nodes[static_cast<std::size_t>(near)], p))
-      std::swap(near, far);
-    stack.push_back(far);
-    stack.push_back(near);
-  }
-  const double distance = std::sqrt(best.square);
-  return best.normal.dot(p - best.point) < 0.0 ? -distance : distance;
-}
+double signed_distance(const DepthSurface& s, const Vec3& p) { return distance_beyond(s, p, -1.0); }
 
 double outside_depth(const DepthSurface& a, const Pose& world_from_a, const DepthSurface& b,
                      DepthMemory& memory, int samples) {

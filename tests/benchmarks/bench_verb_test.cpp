@@ -78,17 +78,28 @@ TEST(BenchVerb, MeasuresAConstrainedSessionOfAnyScene) {
     expect_figure(row["ours"], name);
     expect_figure(row["baseline"], name);
     if (name.find("exact") == std::string::npos) continue;
+    EXPECT_GT(row["contacts_ours"].get<double>(), 0.0) << name;
+    EXPECT_GT(row["force_error_baseline"].get<double>(), 0.0) << name << ": nothing is felt";
     EXPECT_EQ(row["force_error_ours"].get<double>(), 0.0) << name;
     EXPECT_LT(row["entered_ours"].get<double>(), 1e-9) << name;
   }
 }
 
 TEST(BenchVerb, NamesScenesThatItCannotMeasure) {
-  for (const std::string scene : {"no such scene", "spoon_in_cup"}) {
-    const Ended e = run_program({"bench", "--quick", "--scene", scene});
-    EXPECT_EQ(e.code, 4) << e.err;
-    EXPECT_NE(e.err.find(scene + ": n"), std::string::npos) << e.err;
+  const std::string alone = write_text("bench_alone.toml", "[object]\nmesh = \"procedural:box\"\n");
+  const std::pair<std::string, const char*> scenes[] = {{"no such scene", "no such file"},
+                                                        {"spoon_in_cup", "nobody holds"},
+                                                        {"plate", "relief"},
+                                                        {alone, "0 static objects"}};
+  for (const auto& [scene, words] : scenes) {
+    // Before anything is measured.
+    const Ended e =
+        run_program({"bench", "--quick", "--json", "--scene", "jaws", "--scene", scene});
+    EXPECT_EQ(e.code, 4) << scene << ": " << e.err;
+    EXPECT_TRUE(e.out.empty()) << scene;
+    EXPECT_NE(e.err.find(words), std::string::npos) << e.err;
   }
+  EXPECT_EQ(run_program({"bench", "--scene", "jaws", "--full"}).code, 2);
 }
 
 }  // namespace

@@ -31,6 +31,39 @@ TEST(OutsideDepth, SeesEdgesThatCross) {
   EXPECT_NEAR(depth, 1e-4 / std::sqrt(2.0), 0.1e-4);
 }
 
+/// All points that are looked at, each measured.
+double depth_of_all(const DepthSurface& a, const Pose& b_from_a, const DepthSurface& b,
+                    int samples) {
+  double deepest = 0.0;
+  for (const auto& t : a.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = [&](std::size_t i) {
+        return transform_point(b_from_a, a.mesh.positions[static_cast<std::size_t>(t[i % 3])]);
+      };
+      const Vec3 from = corner(k), to = corner(k + 1);
+      for (int n = 0; n < samples; ++n)
+        deepest = std::max(
+            deepest, -signed_distance(b, from + static_cast<double>(n) / samples * (to - from)));
+    }
+  }
+  return deepest;
+}
+
+TEST(OutsideDepth, IsThatOfAllPointsOfLongEdges) {
+  // Of blocks deep in each other, edges go through each other's sides.
+  const DepthSurface long_block = make_depth_surface(make_box({0.10, 0.012, 0.014}));
+  const DepthSurface block = make_depth_surface(make_box({0.03, 0.04, 0.05}));
+  Random random(11);
+  constexpr int kSamples = 16;
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose{random.in_cube(0.01), rotation_from_vector(random.in_cube(0.4))};
+    const double all = std::max(depth_of_all(long_block, pose, block, kSamples),
+                                depth_of_all(block, inverse(pose), long_block, kSamples));
+    ASSERT_NEAR(outside_depth(long_block, pose, block, kSamples), all, 1e-12) << i;
+    ASSERT_GT(all, 1e-3) << i;
+  }
+}
+
 TEST(OutsideDepth, SeesABallWhollyInside) {
   const DepthSurface large = make_depth_surface(make_ball(0.02, 6));
   const DepthSurface small = make_depth_surface(make_ball(0.002, 2));

@@ -84,6 +84,8 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
   EXPECT_EQ(sample.travel_halvings, 0);
   EXPECT_EQ(sample.left_out, 0);
   EXPECT_EQ(sample.travel, sample.model.constraints.travel);
+  // Nothing is known yet of how soon models follow each other.
+  EXPECT_EQ(sample.look_ahead, config.contact.constraints->least_look_ahead);
   EXPECT_GT(sample.travel, 0.5 * sample.look_ahead);
 
   SessionConfig narrow = config;
@@ -126,17 +128,22 @@ TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
     return sample.look_ahead;
   };
   const double least = config.contact.constraints->least_look_ahead;
-  looks_after(1e-3);
+  EXPECT_EQ(looks_after(1e-3), least);
+  for (int i = 0; i < 20; ++i) looks_after(1e-3);
   EXPECT_EQ(looks_after(1e-3), 0.5 * least);
   EXPECT_EQ(looks_after(3e-3), least);
+  EXPECT_EQ(looks_after(1e-3), least) << "one that is late is not alone";
+  // Models that come now after one millisecond, now after two.
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(looks_after(i % 2 == 0 ? 1e-3 : 2e-3), least) << i;
+  for (int i = 0; i < 50; ++i) looks_after(0.5e-3);
   EXPECT_EQ(looks_after(0.5e-3), 0.5 * least);
 }
 
 // Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at
 // all that is between: at rest there is none, and where more is wanted they are far apart.
 TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {
-  const ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(5000, 1));
-  const ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(5000, 1));
+  const ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(12'000, 1));
+  const ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(12'000, 1));
   SessionConfig config;
   config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
   config.contact.object = &upper;

@@ -145,14 +145,22 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
 }
 
 /// Pairs within the look-ahead that are cheap to measure, and how many of them a frame bears.
-constexpr double kPairs = 1500.0;
+constexpr double kPairs = 750.0;
 constexpr std::size_t kMostPairs = 6000;
 
 /// Least that rows look ahead by, however slow the hand: it may be fast by the model after the
-/// next. Models that follow each other soon have half as far to say.
-double least_ahead(const ConstraintWorld& world, double step_time) noexcept {
-  constexpr double kSoon = 1.5e-3;  // [s]
-  return step_time <= kSoon ? 0.5 * world.least_look_ahead : world.least_look_ahead;
+/// next. Models that follow each other soon have half as far to say. Between the whole numbers of
+/// milliseconds and halves that they come after.
+double least_ahead(const ConstraintWorld& world, double period) noexcept {
+  constexpr double kSoon = 1.45e-3;  // [s]
+  return period <= kSoon ? 0.5 * world.least_look_ahead : world.least_look_ahead;
+}
+
+/// After how long models follow each other, the longest of the last ones: one that is late is not
+/// alone.
+double usual_period(double step_time, double before) noexcept {
+  constexpr double kFade = 0.95;  // a model
+  return std::max(step_time, kFade * before);
 }
 
 /// How far rows have to look ahead: what the object would go until the model after the next, in
@@ -216,9 +224,9 @@ Resolution levels_far(const ContactWorld& world, double ahead, double wanted) no
 void find_near(const ContactWorld& world, const StampedBody& body,
                ContactScratch& scratch) noexcept {
   constexpr double kUsualStep = 1e-3;  // of the first frame, which has none before it [s]
-  const double step_time = scratch.sequence > 0 && body.time > scratch.last_time
-                               ? body.time - scratch.last_time
-                               : kUsualStep;
+  const bool is_known = scratch.sequence > 0 && body.time > scratch.last_time;
+  const double step_time = is_known ? body.time - scratch.last_time : kUsualStep;
+  if (is_known) scratch.period = usual_period(step_time, scratch.period);
   scratch.last_time = body.time;
   ContactQuery query;
   // Until the model after the next. Coarse patches under relief are few and the way over it is
@@ -229,7 +237,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
   const ConstraintWorld& constraints = *world.constraints;
   const double least =
-      has_relief ? constraints.least_look_ahead : least_ahead(constraints, step_time);
+      has_relief ? constraints.least_look_ahead : least_ahead(constraints, scratch.period);
   scratch.looked_ahead = look_ahead(constraints, wanted, least, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);

@@ -31,6 +31,7 @@ struct ContactScratch {
   ClusterScratch clustering;
   std::uint64_t sequence = 0;  // models made
   double last_time = 0.0;      // of the last query, for speeds [s]
+  double period = 2e-3;        // of models, the longest of the last ones [s]
   LevelHistory levels;         // which contacts changed their level since the last frame
   std::shared_ptr<TextureScratch> textures;        // where the world has textures, else null
   std::shared_ptr<ConstraintScratch> constraints;  // where the world has constraints, else null
