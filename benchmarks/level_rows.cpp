@@ -29,7 +29,7 @@ Resolution levels(double cap, double budget = 0.0) {
   return r;
 }
 
-/// One D for all contacts of a patch, at the s0 whose force on the jaws is as near as the defaults'.
+/// One D for all contacts of a patch, at the s0 whose force on the jaws is as near as by default.
 Resolution patch_levels(double carry) {
   Resolution r = levels(kNoCap);
   r.metric.haptic = 0.05;

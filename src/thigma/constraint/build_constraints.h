@@ -24,8 +24,8 @@ struct ConstraintWorld {
   ReliefPatches relief;                                       // of a textured world, else empty
   double reach = 0.0;  // of the object's farthest vertex from its centre of mass [m]
   double slop = 0.0;   // the gap that is kept [m]
-  // tolerance of the query: at rest, half of it where models follow each other soon, and at most, whatever the
-  // speed [m]
+  // tolerance of the query: at rest, half of it where models follow each other soon; and at most,
+  // whatever the speed [m]
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
 

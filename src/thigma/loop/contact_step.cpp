@@ -144,16 +144,23 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
   }
 }
 
-/// Pairs within the look-ahead that are cheap to measure, and how many of them a frame bears.
-constexpr double kPairs = 750.0;
+/// Pairs that a query looks at, at most.
 constexpr std::size_t kMostPairs = 6000;
 
-/// Least that rows look ahead by, however slow the hand: it may be fast by the model after the
-/// next. Models that follow each other soon have half as far to say. Between the whole numbers of
+/// What the time between models leaves.
+struct Pace {
+  double least = 0.0;  // that rows look ahead by, however slow the hand [m]
+  double pairs = 0.0;  // within the look-ahead that are cheap to measure
+};
+
+/// A hand that is slow may be fast by the model after the next. Models that follow each other soon
+/// have half as far to say, and half of the time to be found. Soon is between the whole numbers of
 /// milliseconds and halves that they come after.
-double least_ahead(const ConstraintWorld& world, double period) noexcept {
+Pace pace_of(const ConstraintWorld& world, double period) noexcept {
   constexpr double kSoon = 1.45e-3;  // [s]
-  return period <= kSoon ? 0.5 * world.least_look_ahead : world.least_look_ahead;
+  constexpr double kPairs = 1500.0;
+  const double share = period <= kSoon ? 0.5 : 1.0;
+  return {share * world.least_look_ahead, share * kPairs};
 }
 
 /// After how long models follow each other, the longest of the last ones: one that is late is not
@@ -168,7 +175,7 @@ double usual_period(double step_time, double before) noexcept {
 /// where none were found nothing is known of how, so that it grows step by step, or as far as was
 /// free. Where surfaces lie on each other that may be less than the usual least: then the object
 /// goes in small steps.
-double look_ahead(const ConstraintWorld& world, double wanted, double least,
+double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
   constexpr int kHalvings = 5;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
@@ -178,9 +185,9 @@ double look_ahead(const ConstraintWorld& world, double wanted, double least,
                last.crowded_ahead);
   const auto is_cheap = [&](double ahead) {
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
-    return pairs * growth * growth <= kPairs && ahead <= known;
+    return pairs * growth * growth <= pace.pairs && ahead <= known;
   };
-  double ahead = least;
+  double ahead = pace.least;
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
   while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
@@ -236,9 +243,8 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
   const ConstraintWorld& constraints = *world.constraints;
-  const double least =
-      has_relief ? constraints.least_look_ahead : least_ahead(constraints, scratch.period);
-  scratch.looked_ahead = look_ahead(constraints, wanted, least, scratch);
+  const Pace pace = pace_of(constraints, has_relief ? kInfinity : scratch.period);
+  scratch.looked_ahead = look_ahead(constraints, wanted, pace, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
   query.tolerance = scratch.looked_ahead + relief;
