@@ -7,6 +7,7 @@
 #include "benchmarks/bench_pair.h"
 #include "benchmarks/clod_build_bench.h"
 #include "benchmarks/measure_pair.h"
+#include "benchmarks/query_way.h"
 
 #include "thigma/contact/resolution.h"
 
@@ -20,23 +21,22 @@ struct LevelCase {
   bool has_exact = true;  // false: exact queries of this pair take far too long
 };
 
-Resolution levels(double cap, double budget = 0.0) {
-  Resolution r;
-  r.is_exact = false;
-  r.metric.haptic = 0.025;
-  r.deviation_cap = cap;
-  r.budget_cpu = budget;
-  return r;
-}
-
-/// One D for all contacts of a patch, at the s0 whose force on the jaws is as near as by default.
-Resolution patch_levels(double carry) {
-  Resolution r = levels(kNoCap);
-  r.metric.haptic = 0.05;
-  r.reading = SupportReading::patch;
-  r.carry = carry;
-  return r;
-}
+/// A row of the table and the way that it measures, in words that scripts/results has too. One D a
+/// patch at the s0 whose force on the jaws is as near as by default.
+struct Way {
+  const char* name;
+  const char* words;  // of query_way
+};
+constexpr Way kWays[] = {
+    {"levels s0 = 2.5 %, no cap", "levels"},
+    {"levels s0 = 2.5 %, cap 2 %", "levels,cap=0.02"},
+    {"levels s0 = 5 %, one D a patch", "levels,s0=0.05,d=patch"},
+    {"levels s0 = 5 %, one D a patch, carried", "levels,s0=0.05,d=patch,carry=0.1"},
+};
+constexpr Way kOnBudget[] = {
+    {"levels s0 = 2.5 %, no cap, budget 500 us", "levels"},
+    {"levels s0 = 2.5 %, cap 2 %, budget 500 us", "levels,cap=0.02"},
+};
 
 Row level_row(const BenchPair& pair, const LevelTiming& ours,
               const std::optional<LevelTiming>& exact) {
@@ -104,13 +104,13 @@ std::vector<Row> measure_case(LevelCase c, bool quick) {
     ours.push_back(measure_levels(pair, path, resolution, runs, checked, truths));
     ours.back().method.name = name;
   };
-  measure("levels s0 = 2.5 %, no cap", levels(kNoCap), 3);
-  measure("levels s0 = 2.5 %, cap 2 %", levels(0.02), 3);
-  measure("levels s0 = 5 %, one D a patch", patch_levels(0.0), 3);
-  measure("levels s0 = 5 %, one D a patch, carried", patch_levels(0.1), 3);
+  for (const Way& way : kWays) measure(way.name, query_way(way.words), 3);
   if (c.is_heavy) {
-    measure("levels s0 = 2.5 %, no cap, budget 500 us", levels(kNoCap, 500e-6), 3);
-    measure("levels s0 = 2.5 %, cap 2 %, budget 500 us", levels(0.02, 500e-6), 3);
+    for (const Way& way : kOnBudget) {
+      Resolution resolution = query_way(way.words);
+      resolution.budget_cpu = 500e-6;
+      measure(way.name, resolution, 3);
+    }
   }
   std::optional<LevelTiming> exact;
   if (c.has_exact) {

@@ -29,7 +29,7 @@ struct ProxyRequest {
 /// there are several others, or something has relief. Thread [offline].
 void check_can_measure(const SceneDescription& scene, const std::string& name);
 
-/// Loads a scene that can be measured. Thread [offline]; throws InputError.
+/// Loads a scene, one that check_can_measure lets pass. Thread [offline]; throws InputError.
 ProxyScene load_proxy_scene(const ProxyRequest& request);
 
 /// A session's configuration, and the hand that will hold its object.

@@ -114,8 +114,8 @@ double box_square(const DepthSurface::Node& node, const Vec3& p) {
   return (node.low - p).cwiseMax(p - node.high).cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
-/// Distance of a point, negative inside; where it is no more than so much, at least minus what was
-/// found nearest until then, which is no more either.
+/// Signed distance of a point, negative inside [m]. Once the surface is known to be within `enough`
+/// of it the search stops: the result is then no more than the distance, and at least -enough.
 double distance_beyond(const DepthSurface& s, const Vec3& p, double enough) {
   Nearest best;
   const double enough_square = enough > 0.0 ? enough * enough : -1.0;

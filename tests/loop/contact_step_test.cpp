@@ -23,6 +23,22 @@ StampedBody at_height(double z) {
   return at;
 }
 
+/// A cube of 2 cm over a flat sheet, kept out by rows.
+struct CubeOverSheet {
+  ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
+  ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
+  SessionConfig config;
+
+  CubeOverSheet() {
+    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+    config.contact.object = &cube;
+    config.contact.scene = {{&sheet, Pose{}}};
+    use_constraints(config);
+  }
+  CubeOverSheet(const CubeOverSheet&) = delete;  // the session names its surfaces
+  CubeOverSheet& operator=(const CubeOverSheet&) = delete;
+};
+
 TEST(ContactStep, MakesATermAClusterForTheStateItWasGiven) {
   const SessionConfig config = plane_session();
   ContactScratch scratch;
@@ -65,13 +81,8 @@ TEST(ContactStep, ClustersKeepTheirIdsOverFrames) {
 }
 
 TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
-  const ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
-  const ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
-  SessionConfig config;
-  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-  config.contact.object = &cube;
-  config.contact.scene = {{&sheet, Pose{}}};
-  use_constraints(config);
+  const CubeOverSheet pair;
+  const SessionConfig& config = pair.config;
   ContactScratch scratch;
   reserve_contact_scratch(config.contact, scratch);
   ContactSample sample;
@@ -110,13 +121,8 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
 
 // At rest: a hand that starts has gone less far by the next model, the sooner it comes.
 TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
-  const ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
-  const ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
-  SessionConfig config;
-  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-  config.contact.object = &cube;
-  config.contact.scene = {{&sheet, Pose{}}};
-  use_constraints(config);
+  const CubeOverSheet pair;
+  const SessionConfig& config = pair.config;
   ContactScratch scratch;
   reserve_contact_scratch(config.contact, scratch);
   ContactSample sample;

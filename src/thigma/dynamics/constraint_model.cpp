@@ -100,8 +100,9 @@ bool may_take(const ConstraintModel& offered, const ConstraintModel& held,
               const BodyState& body) THIGMA_RT {
   constexpr double kAtRest = 1e-9;  // of the reach: nothing has moved since
   if (is_beyond(held, body)) return true;
-  if (is_beyond(offered, body)) return false;
-  if (travel_between(offered.state, body, offered.reach) <= kAtRest * offered.reach) return true;
+  const double moved = travel_between(offered.state, body, offered.reach);
+  if (moved > offered.travel) return false;
+  if (moved <= kAtRest * offered.reach) return true;
   const Mat3 rotation = rotation_matrix(body.orientation);
   const double least = least_plain_gap(offered, body.position, rotation);
   // What began inside is led out by rows that it has passed.
