@@ -9,6 +9,7 @@
 #include "support/plain_hands.h"
 #include <gtest/gtest.h>
 
+#include "thigma/device/detail/velocity_estimate.h"
 #include "thigma/math/rotation.h"
 
 namespace thigma {
@@ -203,6 +204,20 @@ TEST(Hand, SlowSamplingRepeatsSamples) {
   EXPECT_EQ(changes, 50);
   // 50 mm/s toward the scene, seen at the true rate although most reads bring nothing new.
   EXPECT_NEAR(states[999].motion.twist.linear.z(), -0.05, 2e-3);
+}
+
+// As a server's wall clock is set while the handle moves, which then stops.
+TEST(Hand, VelocityEstimateBeginsAnewWhereTimeGoesBack) {
+  detail::VelocityEstimate estimate(1e-5, 1e-4, 0.015, 0.015);
+  Pose pose;
+  for (int i = 0; i <= 20; ++i) {
+    pose.position.x() = 3e-4 * i;
+    estimate.update(10.0 + 1e-3 * i, pose);
+  }
+  EXPECT_NEAR(estimate.update(10.02, pose).linear.x(), 0.3, 1e-2);
+  EXPECT_EQ(estimate.update(9.02, pose).linear, Vec3::Zero());
+  for (int i = 1; i <= 20; ++i)
+    EXPECT_EQ(estimate.update(9.02 + 1e-3 * i, pose).linear, Vec3::Zero()) << i;
 }
 
 TEST(Hand, VelocityEstimateFollowsAndIsZeroAtRest) {

@@ -10,6 +10,7 @@
 #include "thigma/loop/contact_step.h"
 #include "thigma/math/elementary.h"
 #include "thigma/math/infinity.h"
+#include "thigma/math/rotation.h"
 
 namespace thigma {
 namespace {
@@ -541,6 +542,51 @@ TEST(HapticStep, AHandThatFadesNeverPullsAndComesBackWithoutAJump) {
     place = s.body.position;
   }
   EXPECT_NEAR(s.body.position.x(), s.handle.pose.position.x(), 1e-3);
+}
+
+// Else a model of later, or a sample of the device, would count as new until the time is back.
+TEST(HapticStep, ATimeThatGoesBackIsAFault) {
+  Bench b;
+  b.press(true);
+  b.ticks(100);
+  const double before = b.now;
+  b.now -= 0.05;
+  const HapticSample s = b.tick(1e-3, false);
+  EXPECT_EQ(s.fault, Fault::not_finite);
+  EXPECT_EQ(s.time, before);
+  EXPECT_EQ(s.command.force, Vec3::Zero());
+  Bench still;
+  still.press(true);
+  still.ticks(100);
+  still.now -= 1e-3;  // the time of the step before once more
+  EXPECT_EQ(still.tick(1e-3, false).fault, Fault::none);
+}
+
+// Damping for what the device has no motor for would be booked as given.
+TEST(HapticStep, PassivityAsksNothingOfAxesWithoutAMotor) {
+  Bench b;
+  b.config.world_from_body.position.z() = test::kCubeHalf + 1e-3;
+  b.device.device_limits.actuates_rotation = false;
+  b.device.device_limits.max_torque = 0.1;  // that of a unit not confirmed yet
+  b.config.haptic.passivity = passivity_for(30.0, 0.3, 1e-3, 0.0);  // holds ten times the energy
+  b.begin();
+  b.press(true);
+  b.ticks(200);
+  int damped = 0;
+  for (int i = 0; i < 200; ++i) {
+    Motion& handle = b.device.state.motion;
+    handle.pose.position.z() -= 5e-5;
+    handle.pose.orientation = rotation_from_vector(Vec3(0.0, 0.0, 5e-3 * i));
+    handle.twist.angular = Vec3(0.0, 0.0, 5.0);
+    const HapticSample s = b.tick();
+    ASSERT_EQ(s.fault, Fault::none);
+    ASSERT_EQ(s.command.torque, Vec3::Zero());
+    const PassivityControl& control = b.state.passivity;
+    ASSERT_EQ(control.sent[(control.count - 1) % PassivityControl::kMostFrames].wrench.torque,
+              Vec3::Zero());
+    damped += s.command.force != s.feedback.force ? 1 : 0;
+  }
+  EXPECT_GT(damped, 0);
 }
 
 TEST(HapticStep, AWeightThatIsNoShareIsAFault) {

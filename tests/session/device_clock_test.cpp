@@ -128,6 +128,8 @@ TEST(DeviceClock, a_device_that_does_not_start_is_told_of_at_the_start) {
   TickingHand device(plane_hand(HandPath::press, 0.005));
   Session session(config, device);
   EXPECT_THROW(session.start(), DeviceUnavailable);
+  EXPECT_FALSE(session.is_running());
+  EXPECT_THROW(session.start(), std::logic_error) << "its watchdog has ended";
 }
 
 TEST(DeviceClock, lockstep_refuses_a_device_that_sets_the_pace) {

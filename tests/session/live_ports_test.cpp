@@ -154,6 +154,21 @@ TEST(Live, PausedSessionTimeStandsStillAndStepsOneByOne) {
   EXPECT_EQ(s.end, SessionEnd::stopped);
 }
 
+TEST(Live, ASessionThatHoldsAPersonIsNotPaused) {
+  const auto live = std::make_unique<LivePorts>();
+  live->is_paused = true;
+  SessionConfig config = patient_session(live.get());
+  HeldDevice device;
+  device.device_limits.holds_person = true;
+  std::atomic<std::uint64_t> frames{0};
+  Session session(config, device, {[&](const HapticSample& s) { frames = s.frame + 1; }, {}, {}});
+  session.start();
+  for (int i = 0; i < 5000 && frames < 20; ++i) sleep_ns(1'000'000);
+  session.request_stop();
+  session.finish();
+  EXPECT_GE(frames, 20u);
+}
+
 TEST(Live, TuningReachesTheRunningThreads) {
   const auto live = std::make_unique<LivePorts>();
   SessionConfig config = patient_session(live.get());

@@ -6,6 +6,9 @@
 #include "support/plane_session.h"
 #include <gtest/gtest.h>
 
+#include "thigma/device/open_device.h"
+#include "thigma/session/detail/check_config.h"
+
 namespace thigma {
 namespace {
 
@@ -128,6 +131,26 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.haptic.body.mass = 0.0; });
   refuses([](SessionConfig& c) { c.deep_contact = -1e-3; });
   refuses([](SessionConfig& c) { c.haptic.coupling.linear_stiffness = 0.0; });
+  refuses([](SessionConfig& c) {
+    c.haptic.safety.max_speed = std::numeric_limits<double>::quiet_NaN();
+  });
+  refuses([](SessionConfig& c) { c.haptic.safety.silent_device = -1.0; });
+}
+
+// Ramps of a virtual clock are over in no time, and a query holds the last force as long as it takes.
+TEST(Lockstep, RefusesADeviceThatHoldsAPersonAndWritesNothingToIt) {
+  HeldDevice device;
+  device.device_limits.holds_person = true;
+  EXPECT_THROW(run_lockstep(plane_session(), device), DeviceUnavailable);
+  EXPECT_EQ(device.writes, 0);
+}
+
+TEST(Lockstep, AWatchdogOfTenThousandYearsIsOneOfAnHour) {
+  SessionConfig config = plane_session();
+  config.haptic.safety.watchdog = 1e12;
+  EXPECT_EQ(detail::effective_watchdog(config), 3600.0);
+  HeldDevice device;
+  EXPECT_EQ(run_lockstep(config, device).end, SessionEnd::duration);
 }
 
 TEST(Lockstep, WatchdogLeavesSlackAtLowRates) {

@@ -13,6 +13,7 @@
 #include "session/pushing_world.h"
 #include <gtest/gtest.h>
 
+#include "thigma/device/script.h"
 #include "thigma/scene/world_scene.h"
 
 namespace thigma {
@@ -435,6 +436,23 @@ std::vector<std::int32_t> held_by(HapticDevice& hand, const WorldSessionConfig& 
   how.world = [&](const WorldFrame& frame) { held.push_back(frame.grips[0].body); };
   EXPECT_FALSE(run_world_apart(config, {&device, 1}, how).has_fault());
   return held;
+}
+
+TEST(WorldApart, WithoutADurationItRunsUntilADeviceHasFinished) {
+  Scene scene;
+  make_pushing(scene);
+  scene.config.duration = 0.0;
+  const auto plays = [&](const auto& run) {
+    const auto script = make_script_device({{.time = 0.0}, {.time = 0.05}});
+    HapticDevice* device = script.get();
+    return run(std::span<HapticDevice* const>(&device, 1)).frames;
+  };
+  const std::uint64_t alone = plays([&](auto devices) { return run_world(scene.config, devices); });
+  const std::uint64_t apart =
+      plays([&](auto devices) { return run_world_apart(scene.config, devices, {}); });
+  EXPECT_GT(alone, 40u);
+  EXPECT_LT(alone, 60u);
+  EXPECT_NEAR(static_cast<double>(apart), static_cast<double>(alone), 2.0);
 }
 
 TEST(WorldApart, AFreeHandLetsGoAtOnceHoweverLongAStepOfTheWorldTakes) {

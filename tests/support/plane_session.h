@@ -75,7 +75,7 @@ class HeldDevice final : public HapticDevice {
     ++writes;
   }
 
-  DeviceLimits device_limits;
+  DeviceLimits device_limits{.holds_person = false};
   DeviceState state;
   Wrench written;
   int writes = 0;

@@ -14,11 +14,13 @@ namespace {
 
 using namespace detail;
 
-/// The tick as told, or a fault in its place where it has no time or no length. Recordings hold
-/// what this returns, so that they replay.
+/// The tick as told, or a fault in its place where it has no time or no length, or goes back: models
+/// and samples of later would seem new. Recordings hold what this returns, so that they replay.
 HapticTick checked(const HapticTick& tick, HapticState& state) THIGMA_RT {
   HapticTick result = tick;
-  if (!std::isfinite(tick.now) || !std::isfinite(tick.elapsed) || !(tick.elapsed > 0.0)) {
+  const bool goes_back = state.frame > 0 && tick.now < state.time;
+  if (goes_back || !std::isfinite(tick.now) || !std::isfinite(tick.elapsed) ||
+      !(tick.elapsed > 0.0)) {
     constexpr double kUsual = 1e-3;  // only there for a division to be done
     result = {state.time, kUsual, Fault::not_finite};
   }

@@ -108,9 +108,11 @@ struct LivePorts {
   // watcher -> contact thread, which makes it null when it is done; what it points to, and the
   // surfaces of either, outlive the session
   std::atomic<ContactReplacement*> replacement{nullptr};
-  std::atomic<bool> is_paused{false};  // watcher -> haptic thread: session time stands still
-  std::atomic<int> steps{0};           // watcher -> haptic thread: frames to do while paused
-  Latest<WorldAim> aim;                // watcher -> the thread of a world, which reads no tuning
+  // watcher -> haptic thread: session time stands still, but not that of a device that holds a
+  // person
+  std::atomic<bool> is_paused{false};
+  std::atomic<int> steps{0};  // watcher -> haptic thread: frames to do while paused
+  Latest<WorldAim> aim;       // watcher -> the thread of a world, which reads no tuning
 };
 
 /// Takes one of the frames asked for while paused; false when there is none.

@@ -154,6 +154,8 @@ SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
   if (device.limits().clock == DeviceClock::device)
     throw DeviceUnavailable(device.name() + ": sets the pace by its own clock, which --lockstep " +
                             "cannot follow, expected a run without it");
+  if (device.limits().holds_person)
+    throw DeviceUnavailable(device.name() + ": " + kNoPersonOffClock);
   const std::unique_ptr<HapticDevice> faulty = make_faulty_device(device, config.faults);
   const ZeroForceOnExit zero_force(*faulty);
   return std::make_unique<LockstepShell>(config, *faulty, sinks, stop)->run();

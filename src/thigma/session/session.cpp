@@ -58,10 +58,11 @@ Session::~Session() {
 
 void Session::start() {
   Impl& s = *impl_;
-  if (s.is_started) throw std::logic_error("session: started twice");
+  if (s.was_started) throw std::logic_error("session: started twice");
   detail::check_config(s.config);
   detail::check_coupling(s.config);
   s.prepare_memory();
+  s.was_started = true;  // what ends threads stays set, also where starting them fails
   s.start_threads();
   s.is_started = true;
 }

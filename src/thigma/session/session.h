@@ -100,12 +100,18 @@ struct SessionSinks {
   std::function<void(const SessionEvent&)> event;
 };
 
+/// Why devices that may hold a person are refused on a virtual clock.
+inline constexpr const char* kNoPersonOffClock =
+    "not in lockstep, whose ramps and limits hold on a virtual clock and not for a person's hand, "
+    "expected hand:, script: or null:";
+
 /// Runs a session on a virtual clock in the calling thread: no sleeping, no other thread,
 /// bit-reproducible.
 ///
 /// config   see there; device, limits taken from `device`
 /// stop     null, or looked at every frame
-/// errors   std::invalid_argument for a rate, latency or duration that makes no sense
+/// errors   std::invalid_argument for a rate, latency, duration or limit that makes no sense;
+///          DeviceUnavailable for a device that holds a person or sets the pace
 /// Thread   [offline]. Ends with zero force written, whatever happens.
 SessionSummary run_lockstep(const SessionConfig& config, HapticDevice& device,
                             const SessionSinks& sinks = {},
@@ -122,7 +128,10 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  void start();  // throws std::invalid_argument as run_lockstep, std::system_error without threads
+  // Once, also where it fails. Throws std::invalid_argument as run_lockstep, std::system_error
+  // without threads, DeviceUnavailable where a device that sets the pace does not start,
+  // std::logic_error the second time.
+  void start();
   void request_stop() noexcept;  // asynchronous; also safe from a signal handler
   bool is_running() const noexcept;
   SessionSummary finish();  // waits for the end; call once after start(); throws what a sink threw

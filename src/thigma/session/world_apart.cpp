@@ -96,7 +96,7 @@ WorldSummary run_world_apart(const WorldSessionConfig& config,
                              std::span<HapticDevice* const> devices, const ApartLockstep& how) {
   WorldApart apart(config, devices);
   const double period = 1.0 / config.rate;
-  const auto ticks = static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
+  const std::uint64_t ticks = frames_of(config);
   const WorldFrame* made = nullptr;  // by the step that is under way
   std::uint64_t due = 0;
   Fault fault = Fault::none;

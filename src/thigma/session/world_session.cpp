@@ -89,17 +89,16 @@ void count(const WorldStep& step, WorldSummary& summary) noexcept {
   summary.awake = step.awake;
 }
 
-/// Frames of the whole session; practically endless without a duration.
-std::uint64_t frames_of(const WorldSessionConfig& config) {
-  if (!(config.duration > 0.0)) return std::numeric_limits<std::uint64_t>::max();
-  return static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
-}
-
 bool is_stopped(const std::atomic<bool>* stop) noexcept {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
 }  // namespace
+
+std::uint64_t frames_of(const WorldSessionConfig& config) {
+  if (!(config.duration > 0.0)) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::llround(config.duration * config.rate));
+}
 
 struct WorldRun::Impl {
   Impl(const WorldSessionConfig& config_in, std::span<HapticDevice* const> devices)

@@ -56,6 +56,9 @@ struct WorldSessionConfig {
   double duration = 10.0;         // 0: until it is stopped or a device has finished [s]
 };
 
+/// Frames of the whole session; practically endless without a duration.
+std::uint64_t frames_of(const WorldSessionConfig& config);
+
 /// What a hand does in a frame.
 struct WorldGrip {
   std::int32_t body = -1;  // that it holds; -1: none

@@ -33,6 +33,7 @@ struct SlopeCone {
 }  // namespace
 
 const Twist& VelocityEstimate::update(double time, const Pose& pose) THIGMA_RT {
+  if (count_ > 0 && time < back(0).time) count_ = 0;
   if (count_ > 0 && !(time > back(0).time)) return twist_;
   newest_ = (newest_ + 1) % kSamples;
   samples_[newest_] = {time, pose};

@@ -22,8 +22,8 @@ class VelocityEstimate {
         window_(window),
         angular_window_(angular_window) {}
 
-  /// Estimate after one more sample; the last one again when time does not advance. Thread
-  /// [haptic].
+  /// Estimate after one more sample; the last one again when time stands still. Where it goes back,
+  /// as a clock that is set does, the estimate begins anew, from rest. Thread [haptic].
   const Twist& update(double time, const Pose& pose) THIGMA_RT;
 
  private:

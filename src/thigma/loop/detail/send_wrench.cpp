@@ -23,12 +23,22 @@ Wrench contact_on_hand(const LinearContactModel& model, const RigidBody& body, c
   return {push.force, push.torque + (state.body.position - hand.pose.position).cross(push.force)};
 }
 
-/// The command made passive. The device's maxima hold behind the damping as they did before it.
+/// Nothing along axes that the device does not actuate.
+void leave_actuated(const DeviceLimits& device, Wrench& wrench) THIGMA_RT {
+  if (!device.actuates_rotation) wrench.torque.setZero();
+  if (!device.actuates_translation) wrench.force.setZero();
+}
+
+/// The command made passive. The device's maxima hold behind the damping as they did before it, and
+/// what it cannot give is neither damped nor counted as given.
 void make_passive(const HapticParams& params, HapticState& state, HapticSample& sample) THIGMA_RT {
-  Wrench sent = passive_wrench(params.passivity, state.last_device.motion, sample.command,
-                               sample.time, state.passivity);
+  PassivityParams passivity = params.passivity;
+  if (!params.device.actuates_rotation) passivity.max_angular_damping = 0.0;
+  Wrench sent = passive_wrench(passivity, state.last_device.motion, sample.command, sample.time,
+                               state.passivity);
   sent.force = clamped(sent.force, std::min(params.safety.max_force, params.device.max_force));
   sent.torque = clamped(sent.torque, std::min(params.safety.max_torque, params.device.max_torque));
+  leave_actuated(params.device, sent);
   correct_sent(sent, state.passivity);
   sample.command = sent;
 }
@@ -104,8 +114,7 @@ void send_wrench(const FrameWork& frame, const ActiveTerms& active) THIGMA_RT {
       limit_wrench(params.safety, params.device, asked, {sample.time, sample.elapsed}, safety);
   if (is_tapped(params)) hold_taps(asked, sample.feedback, state.taps);
   sample.command = sample.feedback;
-  if (!params.device.actuates_rotation) sample.command.torque.setZero();
-  if (!params.device.actuates_translation) sample.command.force.setZero();
+  leave_actuated(params.device, sample.command);
   if (params.passivity.is_on) make_passive(params, state, sample);
   frame.ports.device->write(sample.command);
   observe_wrench(state.energy, sample.command);

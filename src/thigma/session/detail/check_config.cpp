@@ -1,8 +1,11 @@
 #include "thigma/session/detail/check_config.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "thigma/loop/safety_fields.h"
 
 namespace thigma::detail {
 
@@ -20,6 +23,10 @@ void check_config(const SessionConfig& config) {
   if (!(config.contact.tolerance >= 0.0)) refuse("the contact tolerance must be 0 m or more");
   if (!config.contact.scene.empty() && config.contact.object == nullptr)
     refuse("there is no grasped object");
+  visit_safety_limits(config.haptic.safety, [&](const char* key, double limit) {
+    if (std::isnan(limit) || limit < 0.0)
+      throw std::invalid_argument("session: safety." + std::string(key) + " must be 0 or more");
+  });
   const auto& friction = config.contact.friction;
   if (!std::all_of(friction.begin(), friction.end(), [](const Friction& f) { return is_valid(f); }))
     refuse("friction must be 0 or more, and no less at rest than sliding");
@@ -39,8 +46,8 @@ void check_coupling(const SessionConfig& config) {
 }
 
 double effective_watchdog(const SessionConfig& config) noexcept {
-  constexpr double kLeastPeriods = 3.0;
-  return std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate);
+  constexpr double kLeastPeriods = 3.0, kLongest = 3600.0;  // [1, s]
+  return std::min(std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate), kLongest);
 }
 
 }  // namespace thigma::detail

@@ -124,8 +124,9 @@ void run_beside_device(HandThread& hand) {
 void look_after(HandThread& hand, std::int64_t& stopped_ns) {
   constexpr double kLongest = 3600.0;  // [s]; no watchdog at all, for a person
   const auto limit_ns = static_cast<std::int64_t>(1e9 * std::min(hand.watchdog, kLongest));
+  const std::int64_t now = monotonic_ns();  // first: a step made meanwhile must not seem old
   const std::int64_t seen = hand.last_step_ns.load(std::memory_order_acquire);
-  const std::int64_t hung = monotonic_ns() - seen;
+  const std::int64_t hung = now - seen;
   if (seen == 0 || seen == stopped_ns || hung <= limit_ns) return;
   hand.was_stopped.store(true, std::memory_order_release);
   if (hand.holds_person && !has_failed(hand.shared)) {

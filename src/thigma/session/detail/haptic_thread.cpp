@@ -16,10 +16,12 @@ void Session::Impl::note_gap() {
 }
 
 /// Session time stands still until the pause ends, a single frame is asked for or the session ends.
-/// Only simulated devices are paused (docs/protocol.md): nothing pulls at a hand meanwhile.
+/// A device that holds a person is not paused: nothing would be written to its motors meanwhile,
+/// nor watched.
 void Session::Impl::hold_while_paused() {
   LivePorts* live = config.live;
-  if (live == nullptr || !live->is_paused.load(std::memory_order_relaxed)) return;
+  if (live == nullptr || params.device.holds_person) return;
+  if (!live->is_paused.load(std::memory_order_relaxed)) return;
   const std::int64_t begin = monotonic_ns();
   last_step_ns.store(0, std::memory_order_release);  // nothing to watch
   while (live->is_paused.load(std::memory_order_relaxed) && !take_step(*live) &&

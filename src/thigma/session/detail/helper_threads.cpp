@@ -77,8 +77,11 @@ void Session::Impl::run_watchdog() {
   const std::int64_t limit = watchdog_ns;
   while (!haptic_done.load(std::memory_order_acquire)) {
     sleep_ns(limit / 20);
+    // The clock first: put to sleep between the two, this thread must not see a step as old that
+    // was made meanwhile.
+    const std::int64_t now = monotonic_ns();
     const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
-    if (last == 0 || monotonic_ns() - last <= limit) continue;
+    if (last == 0 || now - last <= limit) continue;
     watchdog_fired.store(true, std::memory_order_release);
     // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be
     // worse than one.

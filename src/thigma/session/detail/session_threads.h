@@ -130,7 +130,7 @@ struct Session::Impl {
   std::mutex notes_mutex;  // start-up and shut-down only
   std::vector<std::string> notes;
   std::thread haptic_thread, contact_thread, watchdog_thread, drain_thread;
-  bool is_started = false;
+  bool is_started = false, was_started = false;  // runs, or finish() has to be called; ever
 };
 
 }  // namespace thigma
