@@ -129,6 +129,27 @@ TEST_F(PackedScene, ASceneFromElsewhereReadsItsOwnFilesAlone) {
             std::string::npos);
 }
 
+TEST_F(PackedScene, ADeviceFromElsewhereBringsNoSecondOne) {
+  for (const std::string uri :
+       {"null:?camera=vrpn:x@host.example?force=0", "null:?rotation=script:/etc/passwd",
+        "null:", "web:?camera=haply:?host=host.example&port=80", "vrpn:x@host.example",
+        "NULL:?camera=dhd:0"}) {
+    const std::string packed = path("strange.mcap");
+    {
+      McapWriter writer(packed);
+      const std::string toml =
+          "[object]\nmesh = \"procedural:ball\"\n[[static]]\nmesh = "
+          "\"procedural:ball\"\n[device]\nuri = \"" +
+          uri + "\"\n";
+      writer.attach({.name = "scene.toml", .media_type = "application/toml", .data = toml});
+      writer.close();
+    }
+    const std::string read = read_packed_scene(packed, path("out")).device.uri;
+    const std::string scheme = uri.substr(0, uri.find(':') + 1);
+    EXPECT_EQ(read, scheme == "null:" || scheme == "web:" ? scheme : "hand:") << uri;
+  }
+}
+
 TEST_F(PackedScene, WhatIsDamagedIsRefused) {
   write_packed_scene(path("two.mcap"), read_scene(path("scene.toml")));
   const std::string whole = read_file(path("two.mcap"));

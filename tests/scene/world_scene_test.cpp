@@ -51,6 +51,15 @@ TEST(WorldScene, ReadsBodiesAndCopies) {
   EXPECT_EQ(world.config.start.bodies[2].linear_momentum, Vec3(0.5, 1.0, 1.5));
 }
 
+// Refused at the table that goes beyond, not after every table has made its thousand.
+TEST(WorldScene, RefusesMoreBodiesThanAWorldHolds) {
+  const std::string thousand =
+      block("mass = 1.0\ncopies = 1000\nspacing = [0.0, 0.0, 1.0]\nname = \"b\"\n");
+  const std::string line = refusal(thousand + block("mass = 1.0\nname = \"c\"\n") + thousand);
+  EXPECT_NE(line.find("1001 bodies"), std::string::npos) << line;
+  EXPECT_NE(line.find("expected at most 1000"), std::string::npos) << line;
+}
+
 TEST(WorldScene, AThresholdAsksForLevelsThatAreKept) {
   const std::string home = ::testing::TempDir() + "world_levels";
   ::setenv("XDG_CACHE_HOME", home.c_str(), 1);

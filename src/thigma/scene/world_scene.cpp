@@ -69,6 +69,10 @@ void read_body(TomlTable& table, std::optional<BodyKind> kind, const std::string
     table.fail_here("no mass", "expected mass or density");
   body.object = detail::resolve_object(table, keys, folder);
   if (!body.object.model) scene.files[*keys.mesh] = body.object.mesh;
+  const std::size_t count = bodies.size() + static_cast<std::size_t>(copies);
+  if (count > kMostBodies)
+    table.fail_here(std::to_string(count) + " bodies",
+                    "expected at most " + std::to_string(kMostBodies));
   const std::string name = body.object.name;
   for (int i = 0; i < copies; ++i) {
     if (copies > 1) body.object.name = name + " " + std::to_string(i + 1);
@@ -152,9 +156,6 @@ void read_tables(TomlTable& top, const std::string& folder, bool has_many_device
     if (scene.joints.size() > kMostJoints)
       table.fail_here("more than " + std::to_string(kMostJoints) + " joints", "expected fewer");
   }
-  if (scene.bodies.size() > kMostBodies)
-    top.fail_here(std::to_string(scene.bodies.size()) + " bodies",
-                  "expected at most " + std::to_string(kMostBodies));
 }
 
 /// Surface and measure of a mesh, for a density of 1.

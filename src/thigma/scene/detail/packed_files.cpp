@@ -109,7 +109,8 @@ void check_brought(const std::string& file, const std::string& path, const std::
 
 std::string confined_device(const std::string& uri) {
   const std::string scheme = uri.substr(0, uri.find(':'));
-  return scheme == "web" || scheme == "null" ? uri : "hand:";
+  // Without its options: `camera` and `rotation` would open another device.
+  return scheme == "web" || scheme == "null" ? scheme + ":" : "hand:";
 }
 
 }  // namespace thigma::detail
