@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "composed_scene.h"
 #include "named_scene.h"
@@ -12,6 +14,7 @@
 #include "thigma/clod/clod_asset.h"
 #include "thigma/core/error.h"
 #include "thigma/device/open_device.h"
+#include "thigma/loop/safety_fields.h"
 #include "thigma/recording/recording.h"
 #include "thigma/scene/packed_scene.h"
 
@@ -32,7 +35,22 @@ RunOptions scene_options(const RunOptions& now) {
   return options;
 }
 
+/// The stricter of two, limit by limit.
+SafetyLimits stricter(SafetyLimits a, const SafetyLimits& b) {
+  std::vector<double> others;
+  visit_safety_limits(b, [&](const char*, double limit) { others.push_back(limit); });
+  std::size_t next = 0;
+  visit_safety_limits(a, [&](std::string_view key, double& limit) {
+    const double other = others[next++];
+    const bool is_wait = key == "start_ramp" || key == "clear_before_arming";
+    limit = is_wait ? std::max(limit, other) : std::min(limit, other);
+  });
+  return a;
+}
+
 void prepare(SceneDescription scene, RunOptions options, const LiveNow& now, LiveChange& change) {
+  scene.safety = stricter(scene.safety, now.safety);
+  scene.is_strict = scene.is_strict || now.run.given.is_strict;
   // Who moves the object goes on doing so, where they can.
   const std::string scheme = device_scheme(now.run.session.device_uri);
   options.device = scheme == "web" || scheme == "hand" ? now.run.session.device_uri : "web:";
@@ -75,7 +93,7 @@ LiveChange open(const std::string& what, const LiveNow& now) {
     return std::any_of(items.begin(), items.end(),
                        [&](const live::OpenMenu::Item& item) { return item.name == what; });
   };
-  if (has(menu.recordings)) return change_to_recording(what, now);
+  if (has(menu.recordings)) return change_to_recording(what, RecordingFrom::user, now);
   if (!has(menu.scenes)) refuse_request("there is no '" + what + "' to open here");
   LiveChange change;
   prepare(read_named_scene(what), scene_options(now.options), now, change);
@@ -125,9 +143,15 @@ bool is_scene_of_run(const std::string& path, const LiveNow& now) {
   }
 }
 
+bool is_scene_of_menu(const std::string& name) {
+  const live::OpenMenu menu = open_menu();
+  return std::any_of(menu.scenes.begin(), menu.scenes.end(),
+                     [&](const live::OpenMenu::Item& item) { return item.name == name; });
+}
+
 }  // namespace
 
-LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
+LiveChange change_to_recording(const std::string& path, RecordingFrom from, const LiveNow& now) {
   LiveChange change;
   if (is_packed_scene(path)) {
     prepare(read_named_scene(path), scene_options(now.options), now, change);
@@ -147,6 +171,8 @@ LiveChange change_to_recording(const std::string& path, const LiveNow& now) {
   const bool is_other_response =
       response != ResponseKind::direct && response != now.run.session.config.haptic.response;
   if (is_there || !(is_other_scene || is_other_response)) return change;
+  if (from == RecordingFrom::page && is_other_scene && !is_packed && !is_scene_of_menu(scene))
+    refuse_request("it brings no scene, and '" + scene + "' is none of the program's");
   RunOptions options = scene_options(now.options);
   use_recorded_response(response, options);
   options.is_shown = true;

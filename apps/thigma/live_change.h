@@ -35,6 +35,7 @@ struct LiveNow {
   const RunOptions& options;  // of the run
   const DroppedMesh& dropped;
   const SceneDescription& base;  // that compositions begin with: the last that was none
+  const SafetyLimits& safety;    // that the program was started with: no page lifts one of them
   Pose start;                    // of the run, before a device moved it: world_from_body
   std::string record;            // file being written; "" none
   std::uint64_t seed = 1;
@@ -48,7 +49,11 @@ struct LiveNow {
 /// Thread   [offline], while a session of now.run may run
 LiveChange make_change(const live::LiveRequest& request, const LiveNow& now);
 
-/// The same for a recording that is named by its path.
-LiveChange change_to_recording(const std::string& path, const LiveNow& now);
+/// Whether a page has sent a recording; else it lies where the user keeps his own.
+enum class RecordingFrom { user, page };
+
+/// The same for a recording that is named by its path. One that a page has sent names no file of
+/// this machine: it brings its scene, is of the one that runs, or of one of the program.
+LiveChange change_to_recording(const std::string& path, RecordingFrom from, const LiveNow& now);
 
 }  // namespace thigma::app

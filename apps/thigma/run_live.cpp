@@ -40,6 +40,7 @@ class LiveRun {
         options_(*program.options),
         run_(*program.run),
         base_(run_->given),
+        safety_(run_->given.safety),
         start_(run_->session.config.world_from_body),
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
@@ -47,9 +48,15 @@ class LiveRun {
                 devices_of(*run_), live::web_files(), page_address(*program.options),
                 *program.web_channel, {.may_be_framed = program.options->is_embedded}) {}
 
+  /// Levels that are being built tell this of it until they have ended.
+  ~LiveRun() { run_->levels.reset(); }
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
   SessionSummary go() {
     server_.offer(open_menu());
-    if (!options_.replay.empty()) commit(change_to_recording(options_.replay, now()));
+    if (!options_.replay.empty())
+      commit(change_to_recording(options_.replay, RecordingFrom::user, now()));
     program_.log(page_line(options_, server_.address()));
     SessionSummary summary;
     do {
@@ -226,7 +233,8 @@ class LiveRun {
           std::async(std::launch::async, [this, request = *request_, now = now()] {
             // A recording that was dropped on the page is kept and shown.
             if (request.kind == Kind::inspect)
-              return change_to_recording(dropped_.keep_recording(request.text, request.data), now);
+              return change_to_recording(dropped_.keep_recording(request.text, request.data),
+                                         RecordingFrom::page, now);
             return make_change(request, now);
           });
       while (made.wait_for(std::chrono::nanoseconds(kPagePoll)) != std::future_status::ready)
@@ -285,8 +293,15 @@ class LiveRun {
     };
     hooks.web_channel = program_.web_channel;
     const bool is_recorded = !playback_ && !has_lost_recording_;
-    return {*run_,         options_,        dropped_, base_, start_, is_recorded ? record_ : "",
-            program_.seed, std::move(hooks)};
+    return {*run_,
+            options_,
+            dropped_,
+            base_,
+            safety_,
+            start_,
+            is_recorded ? record_ : "",
+            program_.seed,
+            std::move(hooks)};
   }
 
   /// Puts a change into effect, between two sessions; nothing of it can fail.
@@ -345,7 +360,12 @@ class LiveRun {
     request_.reset();
     wait_for_given_up();
     try {
-      dropped_.keep(request.text, request.data);
+      // Large meshes take minutes to look at; whoever is to stop must not wait for that.
+      look_ = std::async(std::launch::async,
+                         [this, request] { dropped_.keep(request.text, request.data); });
+      while (look_.wait_for(std::chrono::nanoseconds(kPagePoll)) != std::future_status::ready)
+        if (is_told_to_stop()) return;
+      look_.get();
       dropped_.tidy(run_->scene.description);
       server_.send(request.page,
                    model_message(request.id, dropped_, run_->scene.object->hierarchy.radius));
@@ -359,6 +379,7 @@ class LiveRun {
   RunOptions options_;  // of the run that is prepared
   std::unique_ptr<Run>& run_;
   SceneDescription base_;             // that compositions begin with
+  const SafetyLimits safety_;         // of the first scene, which the user chose
   std::vector<std::string> sources_;  // of the scene that runs; empty: it is base_
   Pose start_;                        // world_from_body
   std::string record_;
@@ -380,7 +401,8 @@ class LiveRun {
   std::optional<Pose> last_body_;
   live::PageId holder_ = 0;                  // of the next session's device
   double seconds_ = 0.0;                     // of all sessions so far
-  std::future<LiveChange> given_up_change_;  // last: it uses all of the above until it ends
+  std::future<void> look_;                   // at a dropped mesh
+  std::future<LiveChange> given_up_change_;  // these last: they use all of the above until they end
 };
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST(LiveRules, APageThatDoesNotHoldTheDeviceChangesNothingForTheOneThatDoes) {
        {R"({"type":"pause","id":2,"value":true})", R"({"type":"reset","id":3})",
         R"({"type":"set","id":4,"name":"mass","value":0.02})",
         R"({"type":"record","id":5,"value":true})", R"({"type":"step","id":6,"value":1})",
-        R"({"type":"open","id":7,"value":"jaws"})"}) {
+        R"({"type":"open","id":7,"value":"jaws"})",
+        R"({"type":"upload","id":17,"name":"mine.mcap","value":3})"}) {
     const Json refused = answer_to(watcher, request);
     ASSERT_TRUE(refused.is_object()) << request;
     EXPECT_FALSE(refused["ok"].get<bool>()) << request;

@@ -345,8 +345,8 @@ std::optional<LiveRequest> LiveServer::take_request() {
 }
 
 void LiveServer::answer(const LiveRequest& request, const std::string& reason) {
-  impl_->server.post([impl = impl_.get(), request, reason] {
-    impl->server.send(request.page, ack_message(request.id, reason), false);
+  impl_->server.post([impl = impl_.get(), page = request.page, id = request.id, reason] {
+    impl->server.send(page, ack_message(id, reason), false);
   });
 }
 

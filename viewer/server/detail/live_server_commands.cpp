@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "viewer/server/detail/live_server_state.h"
 
 namespace thigma::live {
 namespace {
+
+bool is_recording(std::string_view name) { return name.ends_with(".mcap"); }
+
+/// Whether what runs ends where this is granted. Files are only looked at, but recordings shown.
+bool ends_session(const LiveRequest& request) {
+  return request.kind != LiveRequest::Kind::inspect || is_recording(request.text);
+}
 
 LiveRequest request_of(PageId page, const Command& command) {
   LiveRequest request;
@@ -197,6 +205,14 @@ std::string LiveServer::Impl::send_level(PageId page, const Command& command) {
   return {};
 }
 
+/// Files that are here and that nobody has looked at yet; any may be as large as an upload may be.
+std::size_t LiveServer::Impl::waiting_files() {
+  const std::lock_guard lock(mutex);
+  return static_cast<std::size_t>(std::count_if(
+      requests.begin(), requests.end(),
+      [](const LiveRequest& request) { return request.kind == LiveRequest::Kind::inspect; }));
+}
+
 void LiveServer::Impl::ask_program(LiveRequest request) {
   using Kind = LiveRequest::Kind;
   const PageId page = request.page;
@@ -207,7 +223,7 @@ void LiveServer::Impl::ask_program(LiveRequest request) {
   if (request.kind == Kind::use_device &&
       std::find(state.devices.begin(), state.devices.end(), request.text) == state.devices.end())
     why = "there is no device '" + request.text + "' here";
-  if (request.kind != Kind::inspect && is_held_by_other(page)) why = kIsHeld;
+  if (ends_session(request) && is_held_by_other(page)) why = kIsHeld;
   if (request.kind == Kind::record && request.flag && !now_running.recording.empty())
     why = "a recording is being written already";
   if (request.kind == Kind::record && !request.flag && now_running.recording.empty())
@@ -231,7 +247,8 @@ std::string LiveServer::Impl::take_upload(PageId page, const Command& command) {
   constexpr double kMost = 256.0 * 1024.0 * 1024.0;
   if (!(command.number >= 1.0 && command.number <= kMost)) return "a file may have up to 256 MiB";
   if (uploads.contains(page)) return "another file of this page is still on its way";
-  if (uploads.size() >= 2) return "other pages' files are still on their way";
+  if (uploads.size() + waiting_files() >= 2) return "other files are still on their way";
+  if (is_recording(command.text) && is_held_by_other(page)) return kIsHeld;
   uploads[page] = {command.id, command.text, static_cast<std::size_t>(command.number), {}};
   return {};
 }

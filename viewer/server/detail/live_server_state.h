@@ -56,6 +56,7 @@ struct LiveServer::Impl {
   std::string change(const Command& command);
   std::string take_upload(PageId page, const Command& command);
   Refusal take_chunk(PageId page, std::string_view message);
+  std::size_t waiting_files();
   void ask_program(LiveRequest request);
   void show_scene(SceneView view, const SessionConfig& config, const Pose& start);
   void encode_meshes();
