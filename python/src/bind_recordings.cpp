@@ -1,7 +1,11 @@
 // Recordings as columns. The columns of frames are those of the lists in loop/sample_fields.h.
 
+#include <algorithm>
 #include <concepts>
 #include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "bind.h"
 
@@ -39,77 +43,78 @@ ColumnVisitor(Visit) -> ColumnVisitor<Visit>;
 
 /// Number of a column: an enumeration is its name, the others as they are.
 template <class Value>
-using Stored =
-    std::conditional_t<std::is_same_v<Value, bool>, bool,
-                       std::conditional_t<std::is_floating_point_v<Value>, double, std::int64_t>>;
+using Stored = std::conditional_t<
+    std::is_same_v<Value, Fault>, Fault,
+    std::conditional_t<std::is_same_v<Value, bool>, std::uint8_t,
+                       std::conditional_t<std::is_floating_point_v<Value>, double, std::int64_t>>>;
 
-/// One column of all samples that `walk` visits.
+using Column = std::variant<std::vector<double>, std::vector<std::int64_t>,
+                            std::vector<std::uint8_t>, std::vector<Fault>>;
+
+py::object to_python(const std::vector<double>& c) {
+  return py::array_t<double>(static_cast<py::ssize_t>(c.size()), c.data());
+}
+py::object to_python(const std::vector<std::int64_t>& c) {
+  return py::array_t<std::int64_t>(static_cast<py::ssize_t>(c.size()), c.data());
+}
+py::object to_python(const std::vector<std::uint8_t>& c) {
+  py::array_t<bool> array(static_cast<py::ssize_t>(c.size()));
+  std::copy(c.begin(), c.end(), array.mutable_data());
+  return std::move(array);
+}
+py::object to_python(const std::vector<Fault>& c) {
+  py::list list(c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) list[i] = py::str(fault_name(c[i]));
+  return std::move(list);
+}
+
+/// One column for each number that `walk` visits of a sample, a row a sample. Samples themselves,
+/// with all rows of a contact model, would take a hundred times as much.
 template <class Sample, class Walk>
 class Columns {
  public:
-  Columns(const std::vector<Sample>& samples, Walk walk) : samples_(samples), walk_(walk) {}
-
-  py::dict made() {
-    const Sample empty{};
-    walk_(empty,
-          ColumnVisitor{[&](const std::string& name, const auto& value) { add(name, value); }});
-    for (std::size_t row = 0; row < samples_.size(); ++row) {
-      std::size_t column = 0;
-      walk_(samples_[row], ColumnVisitor{[&](const std::string&, const auto& value) {
-              put(column++, row, value);
-            }});
-    }
-    return std::move(dict_);
+  explicit Columns(Walk walk) : walk_(walk) {
+    walk_(Sample{}, ColumnVisitor{[&](const std::string& name, const auto& value) {
+            using Value = std::decay_t<decltype(value)>;
+            columns_.emplace_back(name, std::vector<Stored<Value>>());
+          }});
+  }
+  void add(const Sample& sample) {
+    std::size_t column = 0;
+    walk_(sample, ColumnVisitor{[&](const std::string&, const auto& value) {
+            using Number = Stored<std::decay_t<decltype(value)>>;
+            std::get<std::vector<Number>>(columns_[column++].second)
+                .push_back(static_cast<Number>(value));
+          }});
+  }
+  py::dict made() const {
+    py::dict dict;
+    for (const auto& [name, column] : columns_)
+      dict[py::str(name)] = std::visit([](const auto& c) { return to_python(c); }, column);
+    return dict;
   }
 
  private:
-  template <class Value>
-  void add(const std::string& name, const Value&) {
-    if constexpr (std::is_same_v<Value, Fault>) {
-      const py::list list(samples_.size());
-      places_.push_back(list.ptr());
-      dict_[py::str(name)] = list;
-    } else {
-      py::array_t<Stored<Value>> array(static_cast<py::ssize_t>(samples_.size()));
-      places_.push_back(array.mutable_data());
-      dict_[py::str(name)] = array;
-    }
-  }
-  template <class Value>
-  void put(std::size_t column, std::size_t row, const Value& value) {
-    if constexpr (std::is_same_v<Value, Fault>)
-      PyList_SET_ITEM(static_cast<PyObject*>(places_[column]), static_cast<py::ssize_t>(row),
-                      py::str(fault_name(value)).release().ptr());
-    else
-      static_cast<Stored<Value>*>(places_[column])[row] = static_cast<Stored<Value>>(value);
-  }
-
-  const std::vector<Sample>& samples_;
   Walk walk_;
-  py::dict dict_;
-  std::vector<void*> places_;  // in the order of columns
+  std::vector<std::pair<std::string, Column>> columns_;
 };
 
-py::dict frame_columns(const std::vector<HapticSample>& frames) {
-  return Columns(frames, [](const HapticSample& s, auto&& visit) { visit_columns(s, visit); })
-      .made();
-}
-
-py::dict contact_columns(const std::vector<ContactSample>& contacts) {
-  return Columns(contacts,
-                 [](const ContactSample& s, auto&& visit) {
-                   visit_contact_frame(s, visit);
-                   visit_contact_levels(s, visit);
-                   visit_contact_rows(s, visit);
-                 })
-      .made();
-}
-
 py::dict read(const std::string& path) {
-  Recording recording;
+  const auto visit_frame = [](const HapticSample& s, auto&& visit) { visit_columns(s, visit); };
+  const auto visit_contact = [](const ContactSample& s, auto&& visit) {
+    visit_contact_frame(s, visit);
+    visit_contact_levels(s, visit);
+    visit_contact_rows(s, visit);
+  };
+  Columns<HapticSample, decltype(visit_frame)> frames(visit_frame);
+  Columns<ContactSample, decltype(visit_contact)> contacts(visit_contact);
+  RecordingInfo recording;
   {
     const py::gil_scoped_release unlocked;
-    recording = read_recording(path);
+    RecordingSinks sinks;
+    sinks.frame = [&](const HapticSample& s, const SamplePlace&) { frames.add(s); };
+    sinks.contact = [&](const ContactSample& s, const SamplePlace&) { contacts.add(s); };
+    recording = stream_recording(path, sinks);
   }
   py::list events;
   for (const SessionEvent& event : recording.events) {
@@ -122,8 +127,8 @@ py::dict read(const std::string& path) {
     events.append(std::move(e));
   }
   py::dict d;
-  d["frames"] = frame_columns(recording.frames);
-  d["contacts"] = contact_columns(recording.contacts);
+  d["frames"] = frames.made();
+  d["contacts"] = contacts.made();
   d["events"] = events;
   d["config"] = recording.config;
   d["cut_off"] = recording.cut_off;

@@ -113,17 +113,26 @@ using AngledUse = std::pair<double, EdgeUse>;
 // along the edge, a face that runs backward has the solid on its counter-clockwise side, one that
 // runs forward on the other.
 void take_pairs(std::vector<AngledUse>& around, std::vector<UsePair>& links) {
-  for (bool found = true; found && around.size() >= 2;) {
-    found = false;
-    for (std::size_t i = 0; i < around.size() && !found; ++i) {
-      const std::size_t next = (i + 1) % around.size();
-      if (around[i].second.is_forward || !around[next].second.is_forward) continue;
-      links.push_back({around[i].second, around[next].second});
-      around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::max(i, next)));
-      around.erase(around.begin() + static_cast<std::ptrdiff_t>(std::min(i, next)));
-      found = true;
+  // As brackets: each forward one closes the last backward one that is still open.
+  std::vector<AngledUse> open, unopened;
+  for (const AngledUse& use : around) {
+    if (!use.second.is_forward) {
+      open.push_back(use);
+    } else if (open.empty()) {
+      unopened.push_back(use);
+    } else {
+      links.push_back({open.back().second, use.second});
+      open.pop_back();
     }
   }
+  // After the last one comes the first.
+  std::size_t first = 0;
+  for (; !open.empty() && first < unopened.size(); ++first) {
+    links.push_back({open.back().second, unopened[first].second});
+    open.pop_back();
+  }
+  around.assign(unopened.begin() + static_cast<std::ptrdiff_t>(first), unopened.end());
+  around.insert(around.end(), open.begin(), open.end());
 }
 
 // What belongs together around the edges: faces in pairs, and at edges of three or more faces some

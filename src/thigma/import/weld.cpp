@@ -10,29 +10,6 @@ namespace {
 
 // Boundary vertices in cells of the tolerance's size, sorted by cell: neighbours are found by
 // binary search.
-struct Grid {
-  using Cell = std::array<std::int64_t, 3>;
-  struct Entry {
-    Cell cell;
-    std::int32_t vertex;
-    bool operator<(const Entry& o) const {
-      return cell < o.cell || (cell == o.cell && vertex < o.vertex);
-    }
-  };
-  Vec3 origin;
-  double size;
-  std::vector<Entry> entries;
-
-  Cell cell_of(const Vec3& p) const {
-    Cell c{};
-    for (int k = 0; k < 3; ++k) {
-      c[static_cast<std::size_t>(k)] =
-          static_cast<std::int64_t>(std::floor((p[k] - origin[k]) / size));
-    }
-    return c;
-  }
-};
-
 struct WeldSearch {
   const TriangleMesh& mesh;
   const EdgeTable& table;
@@ -40,8 +17,11 @@ struct WeldSearch {
   std::vector<std::vector<std::int32_t>> near;  // boundary vertices within reach, ascending
   std::vector<std::int32_t> parent;
 
-  std::int32_t find(std::int32_t v) const {
-    while (parent[static_cast<std::size_t>(v)] != v) v = parent[static_cast<std::size_t>(v)];
+  std::int32_t find(std::int32_t v) {
+    while (parent[static_cast<std::size_t>(v)] != v) {
+      std::int32_t& above = parent[static_cast<std::size_t>(v)];
+      v = above = parent[static_cast<std::size_t>(above)];  // halves the way of the next
+    }
     return v;
   }
   void join(std::int32_t v, std::int32_t w) {
@@ -68,42 +48,101 @@ void measure_reach(WeldSearch& search, double tolerance) {
   }
 }
 
-void find_near(WeldSearch& search, double tolerance) {
-  const std::vector<Vec3>& at = search.mesh.positions;
-  Grid grid{Vec3::Zero(), tolerance, {}};
-  bool is_first = true;
-  for (std::size_t v = 0; v < at.size(); ++v) {
-    if (search.reach[v] <= 0.0) continue;
-    grid.origin = is_first ? at[v] : Vec3(grid.origin.cwiseMin(at[v]));
-    is_first = false;
+/// Boundary vertices, so that those near a place whose reach is no less than a length are found in
+/// time, however unlike the reaches of others there are. A range's middle is its node; what is
+/// before and behind it lies on either side along its axis.
+class ReachTree {
+ public:
+  explicit ReachTree(const WeldSearch& search) {
+    for (std::size_t v = 0; v < search.reach.size(); ++v) {
+      if (search.reach[v] > 0.0)
+        nodes_.push_back({search.mesh.positions[v], search.reach[v], search.reach[v],
+                          static_cast<std::int32_t>(v), 0});
+    }
+    order(0, nodes_.size());
   }
-  for (std::size_t v = 0; v < at.size(); ++v) {
-    if (search.reach[v] > 0.0)
-      grid.entries.push_back({grid.cell_of(at[v]), static_cast<std::int32_t>(v)});
+
+  /// Of the vertices within its reach: calls found(w) for those that reach farther, and of those
+  /// that reach as far for the ones of a higher number, until it says that this is enough.
+  template <class Found>
+  void visit(const Vec3& at, double reach, std::int32_t vertex, const Found& found) const {
+    visit({at, reach, vertex}, 0, nodes_.size(), found);
   }
-  std::sort(grid.entries.begin(), grid.entries.end());
-  search.near.resize(at.size());
+
+ private:
+  struct Node {
+    Vec3 at;
+    double reach, most;  // its own, the largest of its range [m]
+    std::int32_t vertex;
+    int axis;
+  };
+  struct Sought {
+    Vec3 at;
+    double reach;
+    std::int32_t vertex;
+  };
+
+  double order(std::size_t begin, std::size_t end) {
+    if (begin == end) return 0.0;
+    Vec3 low = nodes_[begin].at, high = low;
+    for (std::size_t i = begin; i < end; ++i) {
+      low = low.cwiseMin(nodes_[i].at);
+      high = high.cwiseMax(nodes_[i].at);
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto place = [&](std::size_t k) {
+      return nodes_.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    std::nth_element(place(begin), place(middle), place(end), [&](const Node& a, const Node& b) {
+      return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.vertex < b.vertex);
+    });
+    nodes_[middle].axis = axis;
+    const double before = order(begin, middle), behind = order(middle + 1, end);
+    return nodes_[middle].most = std::max({nodes_[middle].reach, before, behind});
+  }
+
+  template <class Found>
+  bool visit(const Sought& sought, std::size_t begin, std::size_t end, const Found& found) const {
+    if (begin == end) return true;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const Node& node = nodes_[middle];
+    if (node.most < sought.reach) return true;
+    const bool is_other =
+        node.reach > sought.reach || (node.reach == sought.reach && node.vertex > sought.vertex);
+    if (is_other && (node.at - sought.at).norm() <= sought.reach && !found(node.vertex))
+      return false;
+    const double beyond = sought.at[node.axis] - node.at[node.axis];
+    if (beyond <= sought.reach && !visit(sought, begin, middle, found)) return false;
+    return !(beyond >= -sought.reach) || visit(sought, middle + 1, end, found);
+  }
+
+  std::vector<Node> nodes_;
+};
+
+/// Two vertices are near each other within the lesser of their reaches.
+void find_near(WeldSearch& search) {
+  const ReachTree tree(search);
+  search.near.resize(search.reach.size());
   // a vertex with more has lost its place anyway, and time stays bounded
   constexpr std::size_t kMaxNear = 16;
-  for (const Grid::Entry& entry : grid.entries) {
-    std::vector<std::int32_t>& near = search.near[static_cast<std::size_t>(entry.vertex)];
-    const Vec3& p = at[static_cast<std::size_t>(entry.vertex)];
-    for (int i = 0; i < 9; ++i) {
-      const Grid::Cell first{entry.cell[0] + i / 3 - 1, entry.cell[1] + i % 3 - 1,
-                             entry.cell[2] - 1};
-      auto it = std::lower_bound(grid.entries.begin(), grid.entries.end(), Grid::Entry{first, -1});
-      for (; it != grid.entries.end() && near.size() < kMaxNear && it->cell[0] == first[0] &&
-             it->cell[1] == first[1] && it->cell[2] <= first[2] + 2;
-           ++it) {
-        if (it->vertex == entry.vertex) continue;
-        const double reach = std::min(search.reach[static_cast<std::size_t>(entry.vertex)],
-                                      search.reach[static_cast<std::size_t>(it->vertex)]);
-        if ((at[static_cast<std::size_t>(it->vertex)] - p).norm() <= reach)
-          near.push_back(it->vertex);
-      }
-    }
-    near.push_back(entry.vertex);  // an edge may share one end already
-    std::sort(near.begin(), near.end());
+  for (std::size_t v = 0; v < search.reach.size(); ++v) {
+    if (search.reach[v] <= 0.0) continue;
+    const std::int32_t vertex = static_cast<std::int32_t>(v);
+    std::vector<std::int32_t>& near = search.near[v];
+    if (near.size() >= kMaxNear) continue;
+    tree.visit(search.mesh.positions[v], search.reach[v], vertex, [&](std::int32_t w) {
+      std::vector<std::int32_t>& theirs = search.near[static_cast<std::size_t>(w)];
+      if (theirs.size() < kMaxNear) theirs.push_back(vertex);
+      near.push_back(w);
+      return near.size() < kMaxNear;
+    });
+  }
+  for (std::size_t v = 0; v < search.reach.size(); ++v) {
+    if (search.reach[v] <= 0.0) continue;
+    search.near[v].push_back(static_cast<std::int32_t>(v));  // an edge may share one end already
+    std::sort(search.near[v].begin(), search.near[v].end());
   }
 }
 
@@ -127,7 +166,7 @@ Welds find_welds(const TriangleMesh& mesh, const EdgeTable& table, double radius
   if (is_closed || !(radius > 0.0)) return welds;
   WeldSearch search{mesh, table, {}, {}, welds.target};
   measure_reach(search, kWeldTolerance * radius);
-  find_near(search, kWeldTolerance * radius);
+  find_near(search);
   for (const MeshEdge& e : table.edges) {
     if (e.use_count != 1) continue;
     for (const std::int32_t c : search.near[static_cast<std::size_t>(e.a)]) {

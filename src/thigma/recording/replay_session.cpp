@@ -131,6 +131,8 @@ SessionReplay::~SessionReplay() = default;
 
 void SessionReplay::add(const ContactSample& model) {
   impl_->models.push_back(model);
+  // That many before the first frame that uses one: no session writes such a recording.
+  if (impl_->models.size() > kMostWaiting) impl_->models.pop_front();
   impl_->step_waiting(kMostWaiting);
 }
 

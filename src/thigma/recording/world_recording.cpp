@@ -76,7 +76,7 @@ std::string config_text(const WorldRecordingInfo& info) {
     for (const DeviceLimits& limits : info.limits)
       detail::visit_device_limits(limits, LimitsWriter{json["limits"].emplace_back()});
   }
-  return json.dump();
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 void read_config_text(std::string_view text, const std::string& path, WorldRecording& out) {
