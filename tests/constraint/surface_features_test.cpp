@@ -36,6 +36,20 @@ TEST(SurfaceFeatures, SizeDoesNotMatter) {
   }
 }
 
+TEST(SurfaceFeatures, AScrewOnAMachineIsSeen) {
+  // A box of 0.6 mm, its facets 0.3 mm, on one surface with a plate of 600 m.
+  TriangleMesh both = make_box({600.0, 600.0, 1.0});
+  const TriangleMesh screw = make_box({6e-4, 6e-4, 6e-4}, {2, 2, 2});
+  const auto first = static_cast<std::int32_t>(both.positions.size());
+  for (const Vec3& p : screw.positions) both.positions.push_back(p + Vec3(0.0, 0.0, 0.6));
+  for (const auto& t : screw.triangles)
+    both.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  const SurfaceFeatures features = features_of(both);
+  EXPECT_EQ(features.triangles.size(), both.triangles.size());
+  EXPECT_EQ(corners(features), 16);
+  EXPECT_EQ(features.edges.size(), 24u);
+}
+
 TEST(SurfaceFeatures, InsideOfARingNothingIsACorner) {
   const SurfaceFeatures ring = features_of(make_torus(0.02, 0.005, 24, 12));
   for (std::size_t v = 0; v < ring.vertices.size(); ++v) {

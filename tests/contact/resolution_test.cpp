@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "thigma/clod/build_clod.h"
+#include "thigma/clod/build_hierarchy.h"
 #include "thigma/contact/clustering.h"
 #include "thigma/mesh/shapes.h"
 
@@ -112,6 +113,26 @@ TEST(Resolution, ThresholdZeroIsExactContactForContact) {
     contacts += set.contacts.size();
   }
   EXPECT_GT(contacts, 100u);
+}
+
+// As before the levels of a scene have been built. A budget has nothing to leave coarse there.
+TEST(Resolution, ABudgetWithoutLevelsLosesNoContact) {
+  const ClodHierarchy ring = build_exact_hierarchy(make_torus(0.03, 0.01, 48, 24));
+  const double d = 0.02 * ring.radius;
+  ContactFront exact_front, front;
+  reserve_front(exact_front, ring, ring);
+  reserve_front(front, ring, ring);
+  ContactSet exact = room(), set = room();
+  Pose beside;
+  beside.position = Vec3(0.0, 0.0, 0.02 + 0.5 * d);
+  query_contacts({ring, beside}, {ring}, {.tolerance = d}, exact_front, exact);
+  ContactQuery query{.tolerance = d};
+  query.resolution.is_exact = false;
+  query.resolution.budget_tests = 30;
+  query_contacts({ring, beside}, {ring}, query, front, set);
+  EXPECT_GT(exact.contacts.size(), 10u);
+  EXPECT_EQ(set.contacts.size(), exact.contacts.size());
+  EXPECT_EQ(set.dropped, 0);
 }
 
 TEST(Resolution, CoarserThresholdsMakeSmallerFronts) {

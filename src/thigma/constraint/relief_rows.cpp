@@ -201,6 +201,8 @@ void find_relief_rows(const ReliefContacts& touching, const Pose& world_from_obj
   find_depth_contacts({touching.world, world_from_object, touching.bodies, scratch.touching,
                        scratch.clusters, scratch.clustering.assignment},
                       centre, scratch.textures);
+  scratch.stats.left_out += scratch.textures.left_out;
+  if (scratch.textures.left_out > 0) scratch.travel = 0.0;  // nobody knows how near those are
   scratch.next.clear();
   for (ReliefScratch::Known& known : scratch.known) known.is_taken = false;
   for (std::size_t i = 0; i < scratch.textures.contacts.size(); ++i) {

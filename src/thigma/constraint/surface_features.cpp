@@ -11,17 +11,20 @@ namespace thigma {
 namespace {
 
 /// Whether a triangle is as good as a line: one that rounding has folded over faces anywhere, and
-/// would hide the convex edge it lies along.
-bool is_sliver(const std::array<Vec3, 3>& p, double least_height) {
+/// would hide the convex edge it lies along. What is as small all round is a triangle still: the
+/// thread of a screw on a machine.
+bool is_sliver(const std::array<Vec3, 3>& p, double size) {
+  constexpr double kRounding = 1e-7;             // of the size: of coordinates in single precision
+  constexpr double kLow = 1e-6, kNeedle = 1e-2;  // of the size, of the longest edge
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (p[(k + 1) % 3] - p[k]).norm());
-  return !((p[1] - p[0]).cross(p[2] - p[0]).norm() > least_height * longest);
+  const double least = std::max(kRounding * size, std::min(kLow * size, kNeedle * longest));
+  return !((p[1] - p[0]).cross(p[2] - p[0]).norm() > least * longest);
 }
 
 /// Triangles of the finest patches that have an area, patch by patch, each with corners of its own.
 TriangleMesh collect_triangles(const ClodHierarchy& h, SurfaceFeatures& features) {
   TriangleMesh mesh;
-  constexpr double kLine = 1e-6;  // of the size: what a surface may lack, less than what is kept
   features.first_triangle.push_back(0);
   for (const ClodPatch& patch : h.patches) {
     const HullView hull = hull_view(h, patch.node);
@@ -29,7 +32,7 @@ TriangleMesh collect_triangles(const ClodHierarchy& h, SurfaceFeatures& features
       std::array<Vec3, 3> p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = hull.vertices[hull.triangles[t].corner[k]];
       // the edges of one without an area are those of its neighbours
-      if (is_sliver(p, kLine * h.radius)) continue;
+      if (is_sliver(p, h.radius)) continue;
       const auto first = static_cast<std::int32_t>(mesh.positions.size());
       mesh.positions.insert(mesh.positions.end(), p.begin(), p.end());
       mesh.triangles.push_back({first, first + 1, first + 2});

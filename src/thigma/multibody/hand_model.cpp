@@ -17,6 +17,7 @@ struct HandModelScratch {
     double gap = 0.0;  // least of a row [m]
     detail::NearPair* pair = nullptr;
     std::size_t number = 0;  // of the pair
+    double travel = 0.0;     // that is left of its model [m]
   };
   std::vector<Touch> touches;
 };
@@ -130,7 +131,9 @@ void look_about(const Making& m, double way) {
     const Mat3 rotation = rotation_matrix(relative.orientation);
     for (const ContactRow& row : pair->model.rows)
       least = std::min(least, gap_of(row, relative, rotation));
-    s.touches.push_back({least, pair, s.touches.size()});
+    const double reach = pair_kind(m.world, pair->kind).constraints.reach;
+    const double travel = pair->model.travel - travel_between(pair->model.state, relative, reach);
+    s.touches.push_back({least, pair, s.touches.size(), std::max(travel, 0.0)});
   }
   std::sort(s.touches.begin(), s.touches.end(), [](const auto& a, const auto& b) {
     return a.gap != b.gap ? a.gap < b.gap : a.number < b.number;
@@ -191,7 +194,9 @@ void add_touch(const Making& m, const HandModelScratch::Touch& touch) noexcept {
   const NearPair& pair = *touch.pair;
   const std::int32_t held = m.request.body;
   const std::int32_t other = pair.first == held ? pair.second : pair.first;
-  const double free_way = std::max(touch.gap - m.way(other), 0.0);
+  // Without a row the pair is apart as far as its model has looked.
+  const double apart = pair.left_out > 0 ? 0.0 : std::min(touch.gap, touch.travel);
+  const double free_way = std::max(apart - m.way(other), 0.0);
   if (add_body(m, other) < 0) {
     ++m.model.left_out;
     m.model.room = std::min(m.model.room, free_way);

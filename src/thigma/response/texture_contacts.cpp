@@ -99,6 +99,12 @@ bool gather(const TexturedContacts& touching, const ClusterOnBody& pair, const L
   return !of_object.empty() && !of_scene.empty();
 }
 
+bool touches(const TexturedContacts& touching, const ClusterOnBody& pair) noexcept {
+  for (std::size_t i = 0; i < touching.contacts.size(); ++i)
+    if (is_member(touching, i, pair)) return true;
+  return false;
+}
+
 bool touches_relief(const TexturedContacts& touching, std::int32_t cluster) noexcept {
   for (std::size_t i = 0; i < touching.contacts.size(); ++i) {
     if (touching.assignment[i] == cluster && is_textured(touching.world, touching.contacts[i].body))
@@ -116,6 +122,7 @@ void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
   scratch.contacts.clear();
   scratch.cluster.clear();
   scratch.body.clear();
+  scratch.left_out = 0;
   scratch.plain = clusters;
   scratch.plain.clusters.clear();
   for (std::size_t c = 0; c < clusters.clusters.size(); ++c) {
@@ -127,8 +134,11 @@ void find_depth_contacts(const TexturedContacts& touching, const Vec3& centre,
     }
     for (std::size_t b = 0; b < world.scene.size(); ++b) {
       const std::size_t slot = scratch.contacts.size();
-      if (slot == scratch.object_triangles.size()) break;  // as many as the model has room for
       const ClusterOnBody pair{index, static_cast<std::int32_t>(b)};
+      if (slot == scratch.object_triangles.size()) {  // as many as the model has room for
+        scratch.left_out += touches(touching, pair) ? 1 : 0;
+        continue;
+      }
       const Levels levels = coarsest_levels(touching, pair);
       if (!gather(touching, pair, levels, slot, scratch)) continue;
       DepthContact contact;

@@ -61,6 +61,7 @@ struct TextureScratch {
   std::vector<std::vector<std::int32_t>> object_around, scene_around;
   TriangleMarks object_marks, scene_marks;
   std::vector<std::int32_t> cluster, body;  // of each depth contact
+  std::int64_t left_out = 0;                // that there was no room for
   std::vector<double> deepest;  // that a member of each depth contact may be, relief left aside [m]
   GradientScratch gradient;
   ContactClusters plain;  // those that touch no relief

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "thigma/core/index.h"
+#include "thigma/math/elementary.h"
 #include "thigma/math/infinity.h"
 
 namespace thigma::detail {
@@ -50,7 +51,7 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   constexpr double kRounding = 1e-12;
   search.rounding = kRounding * (size_of(object) + size_of(scene));
   constexpr double kWide = 1.5;  // of an angle that leaves nothing of a cone [rad]
-  search.cone_slack = std::sin(std::min(reach.turn, kWide)) + 1e-9;
+  search.cone_slack = sine(std::min(reach.turn, kWide)) + 1e-9;
   return search;
 }
 

@@ -26,7 +26,10 @@ bool is_less_urgent(const PendingPair& x, const PendingPair& y) noexcept {
 std::int32_t keep(MultiresQuery& query, const FrontNode& node, const LevelPair& measured,
                   double weight) noexcept {
   std::vector<Contact>& found = query.frame.front.multires.found;
-  if (found.size() == found.capacity()) return -1;
+  if (found.size() == found.capacity()) {
+    ++query.frame.set.dropped;
+    return -1;
+  }
   found.push_back(level_contact(query, node, measured, weight));
   return static_cast<std::int32_t>(found.size()) - 1;
 }

@@ -118,6 +118,8 @@ void query_multires(QueryFrame& frame) noexcept {
   ContactFront& front = frame.front;
   const FrontState state = advance_front(frame, true);
   if (state == FrontState::no_memory) return;
+  // Where nothing has levels there is nothing to leave coarse.
+  const bool has_levels = !frame.object.level_patches.empty() || !frame.scene.level_patches.empty();
   MultiresQuery query = make_multires_query(frame);
   query.has_last = state == FrontState::kept;
   query.is_carrying = is_carrying(frame);
@@ -132,7 +134,7 @@ void query_multires(QueryFrame& frame) noexcept {
   const Resolution& r = query.resolution;
   if (r.exact_within > 0.0)
     walk_far(query);
-  else if (r.budget_tests > 0 || r.budget_cpu > 0.0)
+  else if (has_levels && (r.budget_tests > 0 || r.budget_cpu > 0.0))
     walk_within_budget(query);
   else
     walk(query, visit);

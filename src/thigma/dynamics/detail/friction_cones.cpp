@@ -58,7 +58,8 @@ bool break_away(const ConeWork& work, const Vec6& y, Cones& cones) THIGMA_RT {
     Cone& c = cones.cone[idx(i)];
     const double kinetic = work.rows.friction[idx(c.row)].kinetic;
     if (c.is_sliding || !(kinetic < c.friction)) continue;
-    const double speed = std::hypot(c.first.dot(y), c.second.dot(y));
+    const double along = c.first.dot(y), across = c.second.dot(y);
+    const double speed = std::sqrt(along * along + across * across);
     if (!(speed > kMoving * stopped)) continue;
     c.is_sliding = is_any = true;
     c.friction = kinetic;

@@ -28,7 +28,7 @@ inline void place_row(const RowAtState& at, const Mat3& world_from_second, const
 inline bool is_sliding(const IslandRow& row) noexcept {
   constexpr double kRounding = 1e-6;
   const double most = row.friction * row.impulse.x();
-  return std::hypot(row.impulse.y(), row.impulse.z()) >= (1.0 - kRounding) * most;
+  return row.impulse.tail<2>().norm() >= (1.0 - kRounding) * most;
 }
 
 /// Whether a row came to press in its step, faster than what acts makes it.
