@@ -181,6 +181,7 @@ bool SteppedRun::step(std::uint64_t frames, const std::optional<Handle>& handle,
 }
 
 const SessionSummary& SteppedRun::finish() {
+  if (is_closed_ && error_) std::rethrow_exception(error_);  // not as if it had run
   if (is_closed_) return summary_;
   {
     const std::lock_guard lock(mutex_);

@@ -85,6 +85,12 @@ Mesh level_mesh(const ClodPointer& asset, std::size_t level) {
   return {MeshPointer(asset, &asset->meshes[level]), {}};
 }
 
+/// Whether levels were built, also of a surface too plain to have any. Scenes with exact contacts
+/// keep the finest surface alone beside its hierarchy.
+bool has_levels(const ClodAsset& asset) {
+  return asset.meshes.size() > 1 || asset.origin.max_vertices > 0;
+}
+
 void bind_mesh(py::module_& module) {
   py::class_<Mesh>(module, "Mesh")
       .def(py::init([](const Doubles& vertices, const Ints& triangles, double scale, bool repair) {
@@ -126,7 +132,7 @@ void bind_meshes(py::module_& module) {
                              [](const ClodAsset& a) { return to_array(a.hierarchy.center); })
       .def_property_readonly("triangle_count",
                              [](const ClodAsset& a) { return a.hierarchy.triangle_count; })
-      .def_property_readonly("has_levels", [](const ClodAsset& a) { return !a.meshes.empty(); })
+      .def_property_readonly("has_levels", &has_levels)
       .def_property_readonly("levels", &level_list)
       .def("mesh",
            [](const std::shared_ptr<ClodAsset>& a, std::size_t k) { return level_mesh(a, k); })

@@ -47,7 +47,8 @@ ScenePointer load_pair(const std::string& object, const std::string& against, do
   if (!response.empty()) {
     description.contact.response = response_of(response);
     if (!description.contact.response)
-      throw py::value_error("response: '" + response + "', expected penalty, constraint or direct");
+      throw py::value_error("response: '" + response +
+                            "', expected penalty, constraint, potential or direct");
   }
   return std::make_shared<Scene>(load_scene(std::move(description), loading));
 }
@@ -60,7 +61,8 @@ ScenePointer mesh_pair(const Mesh& object, const Mesh& against, const Doubles& p
   if (!response.empty()) {
     kind = response_of(response);
     if (!kind)
-      throw py::value_error("response: '" + response + "', expected penalty, constraint or direct");
+      throw py::value_error("response: '" + response +
+                            "', expected penalty, constraint, potential or direct");
   }
   return std::make_shared<Scene>(
       bindings::scene_of_meshes(*object.surface, *against.surface, world_from_mesh, kind));

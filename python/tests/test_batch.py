@@ -230,6 +230,8 @@ def test_arguments_that_decide_nothing_good(box, tmp_path):
     """One line and the exit code of bad input, before anything is worked on."""
     box.save(tmp_path / "box.obj")
     (tmp_path / "words.csv").write_text("x,y,z,qx,qy,qz,qw\n1,2,3,a,b,c,d\n")
+    (tmp_path / "bare.csv").write_text("1,2,3,0,0,0,1\n1,2,3,0,0,0,1\n")
+    (tmp_path / "order.csv").write_text("x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n")
     (tmp_path / "none.csv").write_text("x,y,z,qx,qy,qz,qw\n")
     (tmp_path / "torn.npy").write_bytes(b"\x93NUMPY")
     np.savez(tmp_path / "many.npy.npz", a=np.zeros((1, 7)))
@@ -242,7 +244,7 @@ def test_arguments_that_decide_nothing_good(box, tmp_path):
         (("assets", tmp_path / "box.obj", "--scale", "nan"), "expected finite numbers"),
         ((*pair, "--tolerance", "inf"), "expected finite numbers"),
         ((*pair, "--poses", "0"), "above 0"),
-        *(((*pair, "--poses", tmp_path / f"{name}.csv"), name) for name in ("words", "none")),
+        *(((*pair, "--poses", tmp_path / f"{name}.csv"), name) for name in ("words", "none", "bare", "order")),
         *(((*pair, "--poses", tmp_path / f"{name}.npy"), name) for name in ("torn", "many", "six", "complex")),
         (("throws", "ellipsoid", "--chunk", "0"), "above 0"),
         (("throws", "ellipsoid", "--count", "0"), "above 0"),

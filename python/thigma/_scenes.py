@@ -41,7 +41,7 @@ class Scene:
 
     @property
     def response(self) -> str:
-        """penalty, direct or constraint."""
+        """penalty, direct, constraint or potential."""
         return self._scene.response
 
     @property

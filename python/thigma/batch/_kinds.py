@@ -85,7 +85,7 @@ def assets(work: Work) -> tuple[dict[str, Any], dict[str, str]]:
 def _surface(path: str, digest: str, scale: float, repair: bool) -> thigma.Clod:
     """Kept by a worker from chunk to chunk."""
     if path.endswith(".clod"):
-        return thigma.load_clod(path)
+        return thigma.load_clod(path, scale=scale)
     return thigma.exact(_load(path, scale, repair))
 
 
@@ -121,17 +121,28 @@ def random_poses(seed: int, chunk: int, count: int, least: float, most: float) -
     return np.hstack((places, _in_ball(words, count, 4)))
 
 
+_POSE_NAMES = "x,y,z,qx,qy,qz,qw"
+
+
 def read_poses(path: str, first: int = 0, count: int | None = None) -> Floats:
-    """Rows x, y, z, qx, qy, qz, qw of a .npy file, or of text with commas and one line of names."""
+    """Rows x, y, z, qx, qy, qz, qw of a .npy file, or of a text that begins with these names."""
     try:
         if path.endswith(".npy"):
             rows = np.load(path, mmap_mode="r")
             if not isinstance(rows, np.ndarray):
                 raise ValueError("an archive of arrays")
         else:
+            with open(path, encoding="utf-8") as text:
+                names = text.readline(1000).strip()
+            if names.replace(" ", "") != _POSE_NAMES:
+                raise thigma.InputError(
+                    f"{path}: line 1 is '{names[:60]}', expected {_POSE_NAMES}"
+                )
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # of a file without rows
                 rows = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+    except thigma.InputError:
+        raise
     except (ValueError, EOFError) as error:
         said = str(error).splitlines()[0]
         raise thigma.InputError(f"{path}: {said}, expected rows of seven numbers") from None
@@ -266,13 +277,17 @@ _UNLIMITED = {
 }
 
 
+# Throws lead the hand by the axes of the world.
+_AS_THE_WORLD = {"device.motion_scale": 1.0, "device.quat_xyzw": [0.0, 0.0, 0.0, 1.0]}
+
+
 def throws(work: Work) -> tuple[dict[str, Any], dict[str, str]]:
     """The object of a scene, led through what stands there along lines drawn by their number."""
     p = work.task.parameters
     columns: dict[str, list[float]] = {"penetration": [], "force": [], "speed": []}
     faults = 0
     with tempfile.TemporaryDirectory() as folder:
-        scene = _loaded(work, folder, {**_UNLIMITED, "device.motion_scale": 1.0})
+        scene = _loaded(work, folder, {**_UNLIMITED, **_AS_THE_WORLD})
         target, radius = scene.statics[0], scene.object.radius
         center = np.asarray(scene.static_poses[0][:3]) + target.center
         way = 2.0 * (radius + target.radius)

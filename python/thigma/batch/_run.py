@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import logging
 import os
 import pathlib
@@ -140,8 +141,12 @@ def _on_cluster(
     from distributed import as_completed
 
     folder = os.fspath(store.folder)
+    # Tasks of one key are one to the scheduler, whoever asks: results of another folder are others.
+    where = hashlib.sha256(f"{os.path.abspath(folder)} {limit}".encode()).hexdigest()[:12]
     futures = {
-        client.submit(_timed, task, folder, limit, key=f"{task.kind}-{task.key}", pure=False): task
+        client.submit(
+            _timed, task, folder, limit, key=f"{task.kind}-{task.key}-{where}", pure=False
+        ): task
         for task in tasks
     }
     try:
