@@ -137,7 +137,7 @@ TEST(Lockstep, RefusesNumbersThatMakeNoSense) {
   refuses([](SessionConfig& c) { c.haptic.safety.silent_device = -1.0; });
 }
 
-// Ramps of a virtual clock are over in no time, and a query holds the last force as long as it takes.
+// Ramps of a virtual clock are over in no time, and a query holds the last force while it lasts.
 TEST(Lockstep, RefusesADeviceThatHoldsAPersonAndWritesNothingToIt) {
   HeldDevice device;
   device.device_limits.holds_person = true;
