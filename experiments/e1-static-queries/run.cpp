@@ -23,8 +23,8 @@ constexpr double kDistances[] = {-0.02, -0.01, -0.005, -0.001, 0.0, 0.001, 0.002
                                  0.005, 0.01,  0.02,   0.05,   0.1, 0.2,   0.3};
 constexpr const char* kModels[] = {"jaw_lower", "golf_ball"};
 
-/// Poses at each distance. Where two golf balls of a million triangles are 2 % of their size deep an
-/// exact query takes most of a second, so a tenth of the poses is drawn there.
+/// Poses at each distance. Where two golf balls of a million triangles are 2 % of their size deep
+/// an exact query takes most of a second, so a tenth of the poses is drawn there.
 int pose_count(const Context& context, int triangles) {
   if (context.quick) return 16;
   return triangles < 1'000'000 ? 1000 : 100;

@@ -62,8 +62,8 @@ struct Separation {
 /// stop      a caller that only needs to know "farther than stop" may end early: distance is then a
 ///           lower bound >= stop [m]; infinity for the exact distance
 /// cache     read and written
-/// returns   relative accuracy 1e-12 of the larger of distance and hull size, 1e-11 where rounding in
-///           slivers ends the search
+/// returns   relative accuracy 1e-12 of the larger of distance and hull size, 1e-11 where rounding
+///           in slivers ends the search
 /// Thread    [contact]; no failure, no allocation.
 Separation closest_points(const HullView& a, const HullView& b, const RelativePose& a_from_b,
                           double stop, GjkCache& cache) noexcept;

@@ -14,8 +14,9 @@ namespace {
 
 using namespace detail;
 
-/// The tick as told, or a fault in its place where it has no time or no length, or goes back: models
-/// and samples of later would seem new. Recordings hold what this returns, so that they replay.
+/// The tick as told, or a fault in its place where it has no time or no length, or goes back, as
+/// models and samples of later would seem new. Recordings hold what this returns, so that they
+/// replay.
 HapticTick checked(const HapticTick& tick, HapticState& state) THIGMA_RT {
   HapticTick result = tick;
   const bool goes_back = state.frame > 0 && tick.now < state.time;
