@@ -91,7 +91,8 @@ Ended run_mesh(const BadMesh& bad, const std::string& path, bool is_repair) {
 void expect_felt(const Ended& e) {
   ASSERT_EQ(e.code, 0) << e.err;
   const nlohmann::json json = json_line(e);
-  EXPECT_GT(json["force"]["max"].get<double>(), 0.1);
+  // Needles stand tip on tip and slip off.
+  EXPECT_GT(json["force"]["max"].get<double>(), 0.02);
   EXPECT_LT(json["force"]["max"].get<double>(), 20.0);
   EXPECT_TRUE(json["safety_events"].empty());
 }

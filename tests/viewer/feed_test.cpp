@@ -84,7 +84,7 @@ class Puller final : public HapticDevice {
   void write(const Wrench&) THIGMA_RT override {}
 
  private:
-  DeviceLimits limits_;
+  DeviceLimits limits_{.holds_person = false};
 };
 
 TEST(Feed, GhostIsWhereTheHandWouldHaveTheObject) {

@@ -11,15 +11,12 @@ namespace thigma {
 namespace {
 
 /// Whether a triangle is as good as a line: one that rounding has folded over faces anywhere, and
-/// would hide the convex edge it lies along. What is as small all round is a triangle still: the
-/// thread of a screw on a machine.
+/// would hide the convex edge it lies along.
 bool is_sliver(const std::array<Vec3, 3>& p, double size) {
-  constexpr double kRounding = 1e-7;             // of the size: of coordinates in single precision
-  constexpr double kLow = 1e-6, kNeedle = 1e-2;  // of the size, of the longest edge
+  constexpr double kRounding = 3e-7;  // of the size: a few last digits in single precision
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (p[(k + 1) % 3] - p[k]).norm());
-  const double least = std::max(kRounding * size, std::min(kLow * size, kNeedle * longest));
-  return !((p[1] - p[0]).cross(p[2] - p[0]).norm() > least * longest);
+  return !((p[1] - p[0]).cross(p[2] - p[0]).norm() > kRounding * size * longest);
 }
 
 /// Triangles of the finest patches that have an area, patch by patch, each with corners of its own.
