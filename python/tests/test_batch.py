@@ -259,6 +259,22 @@ def test_arguments_that_decide_nothing_good(box, tmp_path):
     assert row["status"] == "failed" and row["reason"].startswith("latin.toml: "), row
 
 
+def test_levels_are_scaled_as_meshes_are(box, tmp_path):
+    box.save(tmp_path / "box.obj")
+    thigma.build_clod(box).save(tmp_path / "box.clod")
+    np.save(tmp_path / "poses.npy", np.array([[0.0, 0.0, 0.0205 * 3.0, 0.0, 0.0, 0.0, 1.0]]))
+    found = []
+    for name in ("box.obj", "box.clod"):
+        tasks = batch.contacts_tasks(
+            batch.parts_of([tmp_path / name]), str(tmp_path / name),
+            poses=tmp_path / "poses.npy", tolerance=0.003, scale=3.0,
+        )  # fmt: skip
+        batch.run(tasks, tmp_path / "out", serial=True)
+        found.append(np.load(batch.Store(tmp_path / "out").file_path(tasks[0].key, "npz"))["distance"])
+    assert np.isfinite(found[0]).all()
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-12)
+
+
 def test_a_tolerance_of_zero_is_one(box, tmp_path):
     box.save(tmp_path / "box.obj")
     parts = batch.parts_of([tmp_path / "box.obj"])

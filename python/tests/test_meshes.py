@@ -150,6 +150,11 @@ def test_levels(program, tmp_path):
     clod = thigma.build_clod(mesh, threads=2, progress=shares.append)
     assert shares == sorted(shares) and shares[-1] <= 1.0
     assert clod.has_levels and clod.levels[0].triangles == 1280
+    plain = thigma.Mesh.from_file("procedural:box?triangles=12")
+    assert thigma.build_clod(plain).has_levels, "too plain to have any, but built"
+    assert not thigma.exact(mesh).has_levels
+    scene = thigma.scene_from_pair(mesh, mesh, pose=(0, 0, 3, 0, 0, 0, 1))
+    assert not scene.object.has_levels, "contacts of this scene are exact"
     counts = [level.triangles for level in clod.levels if not level.is_free]
     assert counts == sorted(counts, reverse=True) and len(counts) > 2
     assert len(clod.mesh(1).triangles) == clod.levels[1].triangles

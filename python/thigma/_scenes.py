@@ -143,7 +143,7 @@ def scene_from_pair(
     object    is grasped, its mesh at `pose` [m; world]
     against   stands at the identity
     scale     metres per unit of both
-    response  penalty, direct or constraint; "": as fits
+    response  penalty, direct, constraint or potential; "": as fits
     others    as of load_scene, for files
     """
     if not isinstance(object, (str, os.PathLike)):

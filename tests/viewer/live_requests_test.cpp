@@ -7,6 +7,9 @@
 #include "viewer/live_program.h"
 #include <gtest/gtest.h>
 
+#include "thigma/recording/config_json.h"
+#include "thigma/recording/recording.h"
+
 namespace thigma::test {
 namespace {
 
@@ -57,6 +60,29 @@ TEST(LiveRequests, ARefusedRequestLeavesTheSessionOfASimulatedHand) {
   run.expect_refused({R"({"type":"place","id":21,"name":"hold","value":0.001,"repair":false})",
                       R"({"type":"place","id":22,"name":"hold","value":-1,"repair":true})",
                       R"({"type":"place","id":23,"name":"throw","value":0.001,"repair":true})"});
+  EXPECT_EQ(run.end().code, 130);
+}
+
+// Whoever started the program chose them for the hand that is held.
+TEST(LiveRequests, ASceneThatAPageOpensLiftsNoLimitOfSafety) {
+  const std::string ball = "mesh = \"procedural:ball?triangles=320\"\n";
+  const std::string mild = "[object]\n" + ball + "position = [0.0, 0.0, 0.3]\n[[static]]\n" + ball +
+                           "[safety]\nmax_force = 2.0\nstart_ramp = 0.75\n";
+  RunningProgram run("limits", {"--device", "null:"}, {{"mild.toml", mild}}, "mild.toml");
+  ASSERT_TRUE(run.client);
+  ASSERT_TRUE(ask(*run.client, R"({"type":"open","id":1,"value":"ellipsoid"})")["ok"].get<bool>());
+  ASSERT_TRUE(ask(*run.client, R"({"type":"record","id":2,"value":true})")["ok"].get<bool>());
+  const Json recording =
+      state_where(*run.client, [](const Json& s) { return !s["recording"].is_null(); });
+  ASSERT_FALSE(recording.is_null());
+  ASSERT_TRUE(ask(*run.client, R"({"type":"record","id":3,"value":false})")["ok"].get<bool>());
+  ASSERT_FALSE(
+      state_where(*run.client, [](const Json& s) { return s["recording"].is_null(); }).is_null());
+  const std::string file = recording["recording"].get<std::string>();
+  const SafetyLimits kept =
+      read_config(read_recording((run.folder / file).string()).config).params.safety;
+  EXPECT_EQ(kept.max_force, 2.0);
+  EXPECT_EQ(kept.start_ramp, 0.75);
   EXPECT_EQ(run.end().code, 130);
 }
 
