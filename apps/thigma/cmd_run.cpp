@@ -8,7 +8,6 @@
 #include "device_errors.h"
 #include "guarded_writer.h"
 #include "json_out.h"
-#include "live_models.h"
 #include "named_scene.h"
 #include "playback.h"
 #include "run_live.h"
@@ -18,6 +17,7 @@
 #include "run_world.h"
 #include "signal_guard.h"
 #include "verbs.h"
+#include "viewer/server/live_server.h"
 #include "viewer/server/web_server.h"
 #include <unistd.h>
 
@@ -212,7 +212,7 @@ int run_asked(const RunOptions& asked, const Common& common) {
   for (const std::string& read : {asked.scene, asked.replay})
     if (!asked.record.empty() && is_one_file(read, asked.record))
       return refuse(kUsage, "--record " + asked.record + " is what is read, expected another file");
-  if (!asked.record.empty() && !is_recording_name(asked.record) && !common.quiet)
+  if (!asked.record.empty() && !live::is_recording_name(asked.record) && !common.quiet)
     print_error(asked.record +
                 ": not named .mcap: `thigma run` and the page do not take it for a recording, "
                 "replay, export and plot do");

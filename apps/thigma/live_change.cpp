@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,22 +34,9 @@ RunOptions scene_options(const RunOptions& now) {
   return options;
 }
 
-/// The stricter of two, limit by limit.
-SafetyLimits stricter(SafetyLimits a, const SafetyLimits& b) {
-  std::vector<double> others;
-  visit_safety_limits(b, [&](const char*, double limit) { others.push_back(limit); });
-  std::size_t next = 0;
-  visit_safety_limits(a, [&](std::string_view key, double& limit) {
-    const double other = others[next++];
-    const bool is_wait = key == "start_ramp" || key == "clear_before_arming";
-    limit = is_wait ? std::max(limit, other) : std::min(limit, other);
-  });
-  return a;
-}
-
 void prepare(SceneDescription scene, RunOptions options, const LiveNow& now, LiveChange& change) {
-  scene.safety = stricter(scene.safety, now.safety);
-  scene.is_strict = scene.is_strict || now.run.given.is_strict;
+  scene.safety = stricter(scene.safety, now.first.safety);
+  scene.is_strict = scene.is_strict || now.first.is_strict;
   // Who moves the object goes on doing so, where they can.
   const std::string scheme = device_scheme(now.run.session.device_uri);
   options.device = scheme == "web" || scheme == "hand" ? now.run.session.device_uri : "web:";
@@ -87,14 +73,15 @@ void choose(const live::LiveRequest& request, const LiveNow& now, LiveChange& ch
   prepare(now.run.given, std::move(options), now, change);
 }
 
+bool has(const std::vector<live::OpenMenu::Item>& items, const std::string& name) {
+  return std::any_of(items.begin(), items.end(),
+                     [&](const live::OpenMenu::Item& item) { return item.name == name; });
+}
+
 LiveChange open(const std::string& what, const LiveNow& now) {
   const live::OpenMenu menu = open_menu();
-  const auto has = [&](const std::vector<live::OpenMenu::Item>& items) {
-    return std::any_of(items.begin(), items.end(),
-                       [&](const live::OpenMenu::Item& item) { return item.name == what; });
-  };
-  if (has(menu.recordings)) return change_to_recording(what, RecordingFrom::user, now);
-  if (!has(menu.scenes)) refuse_request("there is no '" + what + "' to open here");
+  if (has(menu.recordings, what)) return change_to_recording(what, RecordingFrom::user, now);
+  if (!has(menu.scenes, what)) refuse_request("there is no '" + what + "' to open here");
   LiveChange change;
   prepare(read_named_scene(what), scene_options(now.options), now, change);
   return change;
@@ -143,12 +130,6 @@ bool is_scene_of_run(const std::string& path, const LiveNow& now) {
   }
 }
 
-bool is_scene_of_menu(const std::string& name) {
-  const live::OpenMenu menu = open_menu();
-  return std::any_of(menu.scenes.begin(), menu.scenes.end(),
-                     [&](const live::OpenMenu::Item& item) { return item.name == name; });
-}
-
 }  // namespace
 
 LiveChange change_to_recording(const std::string& path, RecordingFrom from, const LiveNow& now) {
@@ -171,7 +152,8 @@ LiveChange change_to_recording(const std::string& path, RecordingFrom from, cons
   const bool is_other_response =
       response != ResponseKind::direct && response != now.run.session.config.haptic.response;
   if (is_there || !(is_other_scene || is_other_response)) return change;
-  if (from == RecordingFrom::page && is_other_scene && !is_packed && !is_scene_of_menu(scene))
+  if (from == RecordingFrom::page && is_other_scene && !is_packed &&
+      !has(open_menu().scenes, scene))
     refuse_request("it brings no scene, and '" + scene + "' is none of the program's");
   RunOptions options = scene_options(now.options);
   use_recorded_response(response, options);

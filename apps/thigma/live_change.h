@@ -34,10 +34,10 @@ struct LiveNow {
   const Run& run;
   const RunOptions& options;  // of the run
   const DroppedMesh& dropped;
-  const SceneDescription& base;  // that compositions begin with: the last that was none
-  const SafetyLimits& safety;    // that the program was started with: no page lifts one of them
-  Pose start;                    // of the run, before a device moved it: world_from_body
-  std::string record;            // file being written; "" none
+  const SceneDescription& base;   // that compositions begin with: the last that was none
+  const SceneDescription& first;  // that the program was started with: no page lifts its limits
+  Pose start;                     // of the run, before a device moved it: world_from_body
+  std::string record;             // file being written; "" none
   std::uint64_t seed = 1;
   RunHooks hooks;  // progress is there
 };

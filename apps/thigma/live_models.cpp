@@ -224,8 +224,6 @@ void DroppedMesh::tidy(const SceneDescription& now) {
   });
 }
 
-bool is_recording_name(const std::string& name) { return fs::path(name).extension() == ".mcap"; }
-
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius) {
   nlohmann::ordered_json json = {{"type", "model"}, {"id", id}, {"name", mesh.name()}};
   json["report"] = mesh_report_json(mesh.report());

@@ -53,9 +53,6 @@ class DroppedMesh {
   int count_ = 0;
 };
 
-/// Whether a file that a page has sent is a recording by its name.
-bool is_recording_name(const std::string& name);
-
 /// `model`: what the program thinks of a mesh, and what one unit of it might be.
 /// radius  of the object in the hand now, which a likely unit makes it most like [m]
 std::string model_message(std::int64_t id, const DroppedMesh& mesh, double radius);

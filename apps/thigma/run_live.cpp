@@ -40,7 +40,7 @@ class LiveRun {
         options_(*program.options),
         run_(*program.run),
         base_(run_->given),
-        safety_(run_->given.safety),
+        first_(run_->given),
         start_(run_->session.config.world_from_body),
         record_(program.options->record),
         recorder_([this](const RecordingFailure& failure) { recording_failed(failure); }),
@@ -207,7 +207,7 @@ class LiveRun {
     if (request_) return request_;
     request_ = server_.take_request();
     if (!request_) return request_;
-    if (request_->kind == Kind::inspect && !is_recording_name(request_->text)) {
+    if (request_->kind == Kind::inspect && !live::is_recording_name(request_->text)) {
       look_at_dropped();
     } else if (request_->kind == Kind::save) {
       save();
@@ -293,15 +293,9 @@ class LiveRun {
     };
     hooks.web_channel = program_.web_channel;
     const bool is_recorded = !playback_ && !has_lost_recording_;
-    return {*run_,
-            options_,
-            dropped_,
-            base_,
-            safety_,
-            start_,
-            is_recorded ? record_ : "",
-            program_.seed,
-            std::move(hooks)};
+    return {
+        *run_,         options_,        dropped_, base_, first_, start_, is_recorded ? record_ : "",
+        program_.seed, std::move(hooks)};
   }
 
   /// Puts a change into effect, between two sessions; nothing of it can fail.
@@ -379,7 +373,7 @@ class LiveRun {
   RunOptions options_;  // of the run that is prepared
   std::unique_ptr<Run>& run_;
   SceneDescription base_;             // that compositions begin with
-  const SafetyLimits safety_;         // of the first scene, which the user chose
+  const SceneDescription first_;      // which the user chose
   std::vector<std::string> sources_;  // of the scene that runs; empty: it is base_
   Pose start_;                        // world_from_body
   std::string record_;

@@ -18,6 +18,9 @@
 
 namespace thigma::live {
 
+/// Whether a file that a page sends, or that is to be written, is a recording by its name.
+bool is_recording_name(const std::string& name);
+
 /// What a page asked for that takes a new session: the program's business.
 struct LiveRequest {
   enum class Kind : std::uint8_t {

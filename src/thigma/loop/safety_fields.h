@@ -1,6 +1,11 @@
 #pragma once
 // The list of safety limits that scene files and recordings follow.
 
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
 #include "thigma/loop/safety.h"
 
 namespace thigma {
@@ -25,6 +30,20 @@ void visit_safety_limits(Limits& s, Visit&& visit) {
   visit("rows_full_age", s.rows_full_age);
   visit("rows_stale_age", s.rows_stale_age);
   visit("watchdog", s.watchdog);
+}
+
+/// The stricter of two, limit by limit: the shorter, slower or weaker, of waits the longer. Thread
+/// [offline].
+inline SafetyLimits stricter(SafetyLimits a, const SafetyLimits& b) {
+  std::vector<double> others;
+  visit_safety_limits(b, [&](const char*, double limit) { others.push_back(limit); });
+  std::size_t next = 0;
+  visit_safety_limits(a, [&](std::string_view key, double& limit) {
+    const double other = others[next++];
+    const bool is_wait = key == "start_ramp" || key == "clear_before_arming";
+    limit = is_wait ? std::max(limit, other) : std::min(limit, other);
+  });
+  return a;
 }
 
 }  // namespace thigma

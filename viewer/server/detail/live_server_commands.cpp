@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
-#include <string_view>
 
 #include "viewer/server/detail/live_server_state.h"
 
 namespace thigma::live {
-namespace {
 
-bool is_recording(std::string_view name) { return name.ends_with(".mcap"); }
+bool is_recording_name(const std::string& name) {
+  return std::filesystem::path(name).extension() == ".mcap";
+}
+
+namespace {
 
 /// Whether what runs ends where this is granted. Files are only looked at, but recordings shown.
 bool ends_session(const LiveRequest& request) {
-  return request.kind != LiveRequest::Kind::inspect || is_recording(request.text);
+  return request.kind != LiveRequest::Kind::inspect || is_recording_name(request.text);
 }
 
 LiveRequest request_of(PageId page, const Command& command) {
@@ -248,7 +251,7 @@ std::string LiveServer::Impl::take_upload(PageId page, const Command& command) {
   if (!(command.number >= 1.0 && command.number <= kMost)) return "a file may have up to 256 MiB";
   if (uploads.contains(page)) return "another file of this page is still on its way";
   if (uploads.size() + waiting_files() >= 2) return "other files are still on their way";
-  if (is_recording(command.text) && is_held_by_other(page)) return kIsHeld;
+  if (is_recording_name(command.text) && is_held_by_other(page)) return kIsHeld;
   uploads[page] = {command.id, command.text, static_cast<std::size_t>(command.number), {}};
   return {};
 }
