@@ -181,18 +181,18 @@ bool SteppedRun::step(std::uint64_t frames, const std::optional<Handle>& handle,
 }
 
 const SessionSummary& SteppedRun::finish() {
-  if (is_closed_ && error_) std::rethrow_exception(error_);  // not as if it had run
-  if (is_closed_) return summary_;
-  {
-    const std::lock_guard lock(mutex_);
-    should_stop_ = true;
-    wanted_ = 0;
-    changed_.notify_all();
+  if (!is_closed_) {
+    {
+      const std::lock_guard lock(mutex_);
+      should_stop_ = true;
+      wanted_ = 0;
+      changed_.notify_all();
+    }
+    worker_.join();
+    is_closed_ = true;
+    if (!error_) log_.close(summary_);
   }
-  worker_.join();
-  is_closed_ = true;
-  if (error_) std::rethrow_exception(error_);
-  log_.close(summary_);
+  if (error_) std::rethrow_exception(error_);  // each time: it has not run
   return summary_;
 }
 
@@ -247,11 +247,17 @@ const SessionSummary& ThreadedRun::wait(const Poll& poll) {
 }
 
 const SessionSummary& ThreadedRun::finish() {
+  if (error_) std::rethrow_exception(error_);  // each time, as of SteppedRun
   if (is_closed_) return summary_;
   is_closed_ = true;
   if (!is_started_) return summary_;
   threads_->request_stop();
-  summary_ = threads_->finish();
+  try {
+    summary_ = threads_->finish();
+  } catch (...) {
+    error_ = std::current_exception();
+    throw;
+  }
   log_.close(summary_);
   return summary_;
 }

@@ -127,6 +127,7 @@ class ThreadedRun {
   RunLog log_;
   std::unique_ptr<Session> threads_;
   bool is_started_ = false, is_closed_ = false;
+  std::exception_ptr error_;  // of the run
   SessionSummary summary_;
 };
 

@@ -121,28 +121,27 @@ def random_poses(seed: int, chunk: int, count: int, least: float, most: float) -
     return np.hstack((places, _in_ball(words, count, 4)))
 
 
-_POSE_NAMES = "x,y,z,qx,qy,qz,qw"
+def _check_names(path: str) -> None:
+    names = "x,y,z,qx,qy,qz,qw"
+    with open(path, encoding="utf-8", errors="replace") as text:
+        first = text.readline(1000).strip()
+    if first.replace(" ", "") != names:
+        raise thigma.InputError(f"{path}: line 1 is '{first[:60]}', expected {names}")
 
 
 def read_poses(path: str, first: int = 0, count: int | None = None) -> Floats:
     """Rows x, y, z, qx, qy, qz, qw of a .npy file, or of a text that begins with these names."""
+    if not path.endswith(".npy"):
+        _check_names(path)
     try:
         if path.endswith(".npy"):
             rows = np.load(path, mmap_mode="r")
             if not isinstance(rows, np.ndarray):
                 raise ValueError("an archive of arrays")
         else:
-            with open(path, encoding="utf-8") as text:
-                names = text.readline(1000).strip()
-            if names.replace(" ", "") != _POSE_NAMES:
-                raise thigma.InputError(
-                    f"{path}: line 1 is '{names[:60]}', expected {_POSE_NAMES}"
-                )
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # of a file without rows
                 rows = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
-    except thigma.InputError:
-        raise
     except (ValueError, EOFError) as error:
         said = str(error).splitlines()[0]
         raise thigma.InputError(f"{path}: {said}, expected rows of seven numbers") from None

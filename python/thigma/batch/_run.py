@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import logging
 import os
 import pathlib
@@ -17,7 +16,7 @@ from typing import Any
 import thigma
 
 from ._kinds import KINDS, TimeLimit, Work
-from ._store import DONE, FAILED, LOST, Row, Store, Task, library, row_of
+from ._store import DONE, FAILED, LOST, Row, Store, Task, digest_of, library, row_of
 
 _INPUT_ERRORS = (thigma.InputError, thigma.DeviceAddressError, ValueError, TypeError, IndexError)
 
@@ -142,7 +141,7 @@ def _on_cluster(
 
     folder = os.fspath(store.folder)
     # Tasks of one key are one to the scheduler, whoever asks: results of another folder are others.
-    where = hashlib.sha256(f"{os.path.abspath(folder)} {limit}".encode()).hexdigest()[:12]
+    where = digest_of([os.path.abspath(folder), limit])[:12]
     futures = {
         client.submit(
             _timed, task, folder, limit, key=f"{task.kind}-{task.key}-{where}", pure=False

@@ -27,6 +27,11 @@ def canonical(value: Any) -> str:
     return json.dumps(value, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
+def digest_of(said: Any) -> str:
+    """Of its JSON: the same for equal values."""
+    return hashlib.sha256(canonical(said).encode()).hexdigest()
+
+
 def digest_of_file(path: str | os.PathLike[str]) -> str:
     digest = hashlib.sha256()
     with open(path, "rb") as file:
@@ -76,7 +81,7 @@ class Task:
     @property
     def key(self) -> str:
         """SHA-256 of everything that decides the result."""
-        said = canonical(
+        return digest_of(
             {
                 "kind": self.kind,
                 "part": self.part,
@@ -86,7 +91,6 @@ class Task:
                 "format": FORMAT,
             }
         )
-        return hashlib.sha256(said.encode()).hexdigest()
 
 
 Row = dict[str, Any]
