@@ -1,6 +1,7 @@
 #pragma once
 // The few calls that make a thread keep time. Nothing here happens by itself: programs ask for it.
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
@@ -33,6 +34,19 @@ std::string lock_process_memory();
 /// CLOCK_MONOTONIC [ns].
 /// Thread    [haptic]: no system call where the kernel offers the vDSO.
 std::int64_t monotonic_ns() noexcept;
+
+/// A step that another thread has noted: when, 0 for none, and how long ago that is [ns].
+struct NotedStep {
+  std::int64_t at = 0, ago = 0;
+};
+
+/// The clock is read first: put to sleep between the two, the caller must not see a step as old
+/// that was made meanwhile. Thread any; no failure.
+inline NotedStep noted_step(const std::atomic<std::int64_t>& at_ns) noexcept {
+  const std::int64_t now = monotonic_ns();
+  const std::int64_t at = at_ns.load(std::memory_order_acquire);
+  return {at, at == 0 ? 0 : now - at};
+}
 
 /// CPU time of the calling thread [ns]. A system call: for the shells around the steps, not within.
 std::int64_t thread_cpu_ns() noexcept;

@@ -46,8 +46,9 @@ void check_coupling(const SessionConfig& config) {
 }
 
 double effective_watchdog(const SessionConfig& config) noexcept {
-  constexpr double kLeastPeriods = 3.0, kLongest = 3600.0;  // [1, s]
-  return std::min(std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate), kLongest);
+  constexpr double kLeastPeriods = 3.0;
+  const double wanted = std::max(config.haptic.safety.watchdog, kLeastPeriods / config.rate);
+  return std::min(wanted, kLongestWatchdog);
 }
 
 }  // namespace thigma::detail

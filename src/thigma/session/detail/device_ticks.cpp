@@ -80,9 +80,8 @@ void Session::Impl::run_beside_device() {
   const std::int64_t silent = std::max(to_ns(config.haptic.safety.silent_device), watchdog_ns);
   while (!have_ticks_ended.load(std::memory_order_acquire)) {
     sleep_ns(500'000);
-    const std::int64_t now = monotonic_ns();  // first, as in run_watchdog
-    const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
-    if (last == 0 ? now - begin < kFirstTick : now - last < silent) continue;
+    const NotedStep last = noted_step(last_step_ns);
+    if (last.at == 0 ? monotonic_ns() - begin < kFirstTick : last.ago < silent) continue;
     if (!token.try_take()) continue;  // stuck inside a step, or just ticking
     const bool is_mine = !are_ticks_over;
     are_ticks_over = true;

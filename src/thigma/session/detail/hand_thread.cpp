@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "thigma/session/detail/check_config.h"
 #include "thigma/session/detail/frame_driver.h"
 #include "thigma/session/detail/world_hands.h"
 
@@ -122,11 +123,8 @@ void run_beside_device(HandThread& hand) {
 
 /// Whether a hand has made no step for too long; then its device is let go, where it is not in it.
 void look_after(HandThread& hand, std::int64_t& stopped_ns) {
-  constexpr double kLongest = 3600.0;  // [s]; no watchdog at all, for a person
-  const auto limit_ns = static_cast<std::int64_t>(1e9 * std::min(hand.watchdog, kLongest));
-  const std::int64_t now = monotonic_ns();  // first: a step made meanwhile must not seem old
-  const std::int64_t seen = hand.last_step_ns.load(std::memory_order_acquire);
-  const std::int64_t hung = now - seen;
+  const auto limit_ns = static_cast<std::int64_t>(1e9 * std::min(hand.watchdog, kLongestWatchdog));
+  const auto [seen, hung] = noted_step(hand.last_step_ns);
   if (seen == 0 || seen == stopped_ns || hung <= limit_ns) return;
   hand.was_stopped.store(true, std::memory_order_release);
   if (hand.holds_person && !has_failed(hand.shared)) {

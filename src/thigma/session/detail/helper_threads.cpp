@@ -76,12 +76,9 @@ void Session::Impl::run_watchdog() {
        -1});
   const std::int64_t limit = watchdog_ns;
   while (!haptic_done.load(std::memory_order_acquire)) {
-    sleep_ns(limit / 20);
-    // The clock first: put to sleep between the two, this thread must not see a step as old that
-    // was made meanwhile.
-    const std::int64_t now = monotonic_ns();
-    const std::int64_t last = last_step_ns.load(std::memory_order_acquire);
-    if (last == 0 || now - last <= limit) continue;
+    // Not as long as a limit of an hour allows: whoever ends the session waits for this.
+    sleep_ns(std::min<std::int64_t>(limit / 20, 50'000'000));
+    if (noted_step(last_step_ns).ago <= limit) continue;
     watchdog_fired.store(true, std::memory_order_release);
     // Stuck inside a step the haptic thread keeps the token: two threads in one driver would be
     // worse than one.
