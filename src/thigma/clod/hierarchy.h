@@ -96,17 +96,25 @@ struct ClodHierarchy {
   std::vector<std::int32_t> triangle_ids;  // original triangle of each hull triangle
 };
 
+/// The hull of a node without what the surface has of it: all that culling asks. Valid while the
+/// hierarchy lives.
+/// Thread    [haptic] [contact].
+inline HullView bare_hull(const ClodHierarchy& hierarchy, const ClodNode& node) noexcept {
+  HullView v;
+  v.vertices = hierarchy.vertices.data() + node.first_vertex;
+  v.vertex_count = node.vertex_count;
+  v.lanes = hierarchy.lanes.data() + node.first_lane;
+  v.lane_count = node.lane_count;
+  v.center = node.center;
+  v.radius = node.radius;
+  return v;
+}
+
 /// The hull of a node as the pair queries read it. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
 inline HullView hull_view(const ClodHierarchy& hierarchy, std::int32_t node) noexcept {
   const ClodNode& n = hierarchy.nodes[static_cast<std::size_t>(node)];
-  HullView v;
-  v.vertices = hierarchy.vertices.data() + n.first_vertex;
-  v.vertex_count = n.vertex_count;
-  v.lanes = hierarchy.lanes.data() + n.first_lane;
-  v.lane_count = n.lane_count;
-  v.center = n.center;
-  v.radius = n.radius;
+  HullView v = bare_hull(hierarchy, n);
   if (n.patch >= 0) {
     const ClodPatch& p = hierarchy.patches[static_cast<std::size_t>(n.patch)];
     v.faces = hierarchy.faces.data() + p.first_face;

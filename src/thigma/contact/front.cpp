@@ -88,6 +88,7 @@ void reserve_carried(ContactFront& front) {
   carried.place = std::make_unique<std::int32_t[]>(nodes);
   carried.contacts.resize(most);
   carried.free.reserve(most);
+  carried.held.reserve(most);
   std::fill_n(carried.place.get(), nodes, -1);
   detail::forget_carried(front);
 }

@@ -82,6 +82,14 @@ struct CarriedContact {
   double growth = 1.0;  // how much more than the travel a depth along the normal may change
   LevelDecision decided_by = LevelDecision::finest;
   bool is_penetrating = false;
+  bool is_of_hulls = false;  // hulls that are apart, and their distance: `nearest`
+};
+
+/// A pair that is certain to be within the tolerance, and has not been measured.
+struct HeldPair {
+  double least = 0.0;       // it may be as near as that [m]
+  std::int32_t node = -1;   // into ContactFront::nodes
+  std::size_t contact = 0;  // in the set
 };
 
 /// The contacts of a front that are carried: a place for each of its nodes, and the contacts, of
@@ -90,6 +98,8 @@ struct CarriedContacts {
   std::unique_ptr<std::int32_t[]> place;  // by node of the front, into `contacts`; -1: none
   std::vector<CarriedContact> contacts;
   std::vector<std::int32_t> free;  // places
+  std::vector<HeldPair> held;      // of the last query
+  double nearest = 0.0;            // of its contacts; where pairs are looked at more closely [m]
   Resolution asked;                // what they were measured for
   bool keeps_direction = false;
 };

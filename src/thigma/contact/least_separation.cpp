@@ -68,8 +68,10 @@ bool is_higher(const SeparationPair& x, const SeparationPair& y) noexcept {
 // No two finest patches below are nearer; cheapest test first, no farther than is wanted. Keeps the
 // axis that was found, for the children.
 double lower_bound(Search& search, SeparationPair& p, double want) noexcept {
-  const auto pair = place(hull_view(search.object, p.a), hull_view(search.scene, p.b), search.pose);
-  const double outside = node_a(search, p.a).hausdorff + node_b(search, p.b).hausdorff;
+  const ClodNode &a = node_a(search, p.a), &b = node_b(search, p.b);
+  const HullView hull_a = bare_hull(search.object, a), hull_b = bare_hull(search.scene, b);
+  const PlacedHulls pair = place(hull_a, hull_b, search.pose);
+  const double outside = a.hausdorff + b.hausdorff;
   const double size = pair.a.radius + pair.b.radius;
   double low = sphere_gap(pair) - outside;
   if (low >= want) return low;

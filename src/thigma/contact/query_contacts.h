@@ -27,6 +27,11 @@ struct ContactQuery {
   // farther than they are, so that more may be reported, never less; no such pair counts as
   // through, and its `bound` says nothing. For rows, which look at the features themselves
   bool measures_hulls = false;
+  // With measures_hulls and Resolution::carry, exact: of pairs that are certain to be within d
+  // those alone are measured that may be the nearest. The others move along like carried contacts,
+  // however far the bodies have gone, with a bound that says so: the pairs are the same, the nearest
+  // is as near
+  bool holds_near = false;
   Resolution resolution{};  // exact unless asked otherwise
 };
 

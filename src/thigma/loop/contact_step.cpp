@@ -254,7 +254,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
   else if (!has_relief)  // rows ask contacts which patches are near, no more
     query.resolution.carry = world.resolution.carry;
-  query.measures_hulls = !has_relief;
+  query.measures_hulls = query.holds_near = !has_relief;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);

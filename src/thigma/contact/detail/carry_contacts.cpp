@@ -21,6 +21,9 @@
 namespace thigma::detail {
 namespace {
 
+// Before any travel.
+constexpr double kNotCarried = -1.0;
+
 // Sine by which a front of two patches that are apart has to face the other.
 constexpr double kFrontal = 0.25;
 
@@ -57,23 +60,6 @@ bool runs_through(const Corners& edges, const Corners& t, double rounding) noexc
   return false;
 }
 
-// Whether the two triangles that pierced each other when they were measured still do. False where
-// that is not certain.
-bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                  const TriangleHint& hint) noexcept {
-  constexpr double kRounding = 1e-11;  // of volumes, times the cube of the size
-  if (!hint.meet || hint.a >= a.triangle_count || hint.b >= b.triangle_count) return false;
-  Corners of_a, of_b;
-  const Vec3 offset = a_from_b.rotation * b.center + a_from_b.translation - a.center;
-  for (int k = 0; k < 3; ++k) {
-    of_a[k] = a.vertices[a.triangles[hint.a].corner[k]] - a.center;
-    of_b[k] = a_from_b.rotation * (b.vertices[b.triangles[hint.b].corner[k]] - b.center) + offset;
-  }
-  const double size = a.radius + b.radius;
-  const double rounding = kRounding * size * size * size;
-  return runs_through(of_a, of_b, rounding) || runs_through(of_b, of_a, rounding);
-}
-
 // How far the bodies may move before a pair could be of another kind; 0: not at all. Hulls that are
 // apart have no back.
 double steadiness(const PatchPair& pair, const HullView& a, const HullView& b,
@@ -96,10 +82,14 @@ double share_of(std::int32_t i) noexcept {
 }
 
 // See above.
+double growth_apart(const QueryFrame& frame) noexcept {
+  return 1.0 + frame.query.tolerance / std::min(frame.object.radius, frame.scene.radius);
+}
+
 double growth_of(const QueryFrame& frame, std::int32_t i, bool is_penetrating) noexcept {
-  const double smaller = std::min(frame.object.radius, frame.scene.radius);
+  if (!is_penetrating) return growth_apart(frame);
   const ClodNode& b = node_b(frame, frame.front.nodes[i].b);
-  return 1.0 + (is_penetrating ? 2.0 * (b.radius + b.hausdorff) : frame.query.tolerance) / smaller;
+  return 1.0 + 2.0 * (b.radius + b.hausdorff) / std::min(frame.object.radius, frame.scene.radius);
 }
 
 bool is_same_question(const Resolution& x, const Resolution& y) noexcept {
@@ -110,6 +100,21 @@ bool is_same_question(const Resolution& x, const Resolution& y) noexcept {
 
 }  // namespace
 
+bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                  const TriangleHint& hint) noexcept {
+  constexpr double kRounding = 1e-11;  // of volumes, times the cube of the size
+  if (!hint.meet || hint.a >= a.triangle_count || hint.b >= b.triangle_count) return false;
+  Corners of_a, of_b;
+  const Vec3 offset = a_from_b.rotation * b.center + a_from_b.translation - a.center;
+  for (int k = 0; k < 3; ++k) {
+    of_a[k] = a.vertices[a.triangles[hint.a].corner[k]] - a.center;
+    of_b[k] = a_from_b.rotation * (b.vertices[b.triangles[hint.b].corner[k]] - b.center) + offset;
+  }
+  const double size = a.radius + b.radius;
+  const double rounding = kRounding * size * size * size;
+  return runs_through(of_a, of_b, rounding) || runs_through(of_b, of_a, rounding);
+}
+
 void forget_carried(ContactFront& front) noexcept {
   CarriedContacts& carried = front.carried;
   if (carried.place == nullptr) return;
@@ -118,6 +123,17 @@ void forget_carried(ContactFront& front) noexcept {
   // the first place on top
   for (auto i = static_cast<std::int32_t>(carried.contacts.size()); i > 0; --i)
     carried.free.push_back(i - 1);
+}
+
+void forget_depths(ContactFront& front) noexcept {
+  CarriedContacts& carried = front.carried;
+  if (carried.place == nullptr) return;
+  for (std::int32_t i = 0; i < front.used; ++i) {
+    if (carried.place[i] < 0) continue;
+    CarriedContact& contact = carried.contacts[static_cast<std::size_t>(carried.place[i])];
+    contact.until = kNotCarried;
+    if (!contact.is_of_hulls) drop_carried(carried, i);
+  }
 }
 
 bool is_carrying(QueryFrame& frame) noexcept {
@@ -140,8 +156,11 @@ void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const Hu
                   const MeasuredContact& measured) noexcept {
   CarriedContacts& carried = frame.front.carried;
   const double most = share_of(i) * frame.query.resolution.carry * frame.query.tolerance;
-  if (!(steadiness(measured.pair, a, b, frame.pose, frame.query.measures_hulls) > most))
-    return drop_carried(carried, i);
+  const bool is_steady =
+      steadiness(measured.pair, a, b, frame.pose, frame.query.measures_hulls) > most;
+  const bool is_of_hulls =
+      measured.pair.status == PairContactStatus::separated && measured.pair.is_of_hulls;
+  if (!is_steady && !(is_of_hulls && frame.query.holds_near)) return drop_carried(carried, i);
   if (carried.place[i] < 0) {
     if (carried.free.empty()) return;
     carried.place[i] = carried.free.back();
@@ -153,24 +172,23 @@ void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const Hu
   contact.on_a = pair.witness_a;
   contact.on_b = frame.pose.rotation.transpose() * (pair.witness_b - frame.pose.translation);
   contact.travel = frame.front.travel;
-  contact.until = frame.front.travel + most;
+  contact.until = is_steady ? frame.front.travel + most : kNotCarried;
   contact.bound = measured.bound;
   contact.nearest = measured.nearest;
   contact.decided_by = measured.decided_by;
   contact.is_penetrating = pair.status == PairContactStatus::penetrating;
+  contact.is_of_hulls = is_of_hulls;
   contact.growth = growth_of(frame, i, contact.is_penetrating);
 }
 
-bool carry_contact(const QueryFrame& frame, std::int32_t i, const HullView& a, const HullView& b,
-                   MeasuredContact& out) noexcept {
+void move_contact(const QueryFrame& frame, const CarriedContact& contact,
+                  MeasuredContact& out) noexcept {
   // Of the points along the normal, times the size of the pair.
   constexpr double kRounding = 1e-12;
-  const CarriedContacts& carried = frame.front.carried;
-  const CarriedContact& contact = carried.contacts[static_cast<std::size_t>(carried.place[i])];
-  if (frame.front.travel > contact.until) return false;
-  const TriangleHint& triangles = frame.front.nodes[i].triangles;
-  if (contact.is_penetrating && !still_pierce(a, b, frame.pose, triangles)) return false;
-  const double moved = contact.growth * (frame.front.travel - contact.travel);
+  // The points may be farther from each other now than the tolerance was then.
+  const double growth =
+      contact.is_penetrating ? contact.growth : std::max(contact.growth, growth_apart(frame));
+  const double moved = growth * (frame.front.travel - contact.travel);
   PatchPair& pair = out.pair;
   pair.status =
       contact.is_penetrating ? PairContactStatus::penetrating : PairContactStatus::separated;
@@ -186,7 +204,6 @@ bool carry_contact(const QueryFrame& frame, std::int32_t i, const HullView& a, c
   out.bound = contact.bound + 2.0 * moved + kRounding * (frame.object.radius + frame.scene.radius);
   out.nearest = contact.nearest - moved;
   out.decided_by = contact.decided_by;
-  return true;
 }
 
 }  // namespace thigma::detail

@@ -8,6 +8,9 @@ namespace thigma::detail {
 /// Forgets all contacts. Thread [contact].
 void forget_carried(ContactFront& front) noexcept;
 
+/// Forgets how deep they are, but not how near pairs are whose hulls are apart. Thread [contact].
+void forget_depths(ContactFront& front) noexcept;
+
 /// Forgets that of one node.
 inline void drop_carried(CarriedContacts& carried, std::int32_t node) noexcept {
   if (carried.place == nullptr || carried.place[node] < 0) return;
@@ -18,6 +21,11 @@ inline void drop_carried(CarriedContacts& carried, std::int32_t node) noexcept {
 /// Whether place i of the front has one, which may still hold or not.
 inline bool has_carried(const CarriedContacts& carried, std::int32_t i) noexcept {
   return carried.place[i] >= 0;
+}
+
+/// That of place i, which has one.
+inline const CarriedContact& carried_of(const CarriedContacts& carried, std::int32_t i) noexcept {
+  return carried.contacts[static_cast<std::size_t>(carried.place[i])];
 }
 
 /// Whether this query carries contacts: it asks to, there is memory, and what a pair is depends on
@@ -39,12 +47,24 @@ struct MeasuredContact {
 void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const HullView& b,
                   const MeasuredContact& measured) noexcept;
 
-/// The contact of place i where it is now, its bound grown by what the bodies may have moved.
+/// That of place i, if the bodies have not gone farther than it is carried; else nullptr. One that
+/// penetrates holds only as long as two triangles pierce each other.
+inline const CarriedContact* due_contact(const QueryFrame& frame, std::int32_t i) noexcept {
+  const CarriedContacts& carried = frame.front.carried;
+  if (!has_carried(carried, i)) return nullptr;
+  const CarriedContact& contact = carried_of(carried, i);
+  return frame.front.travel > contact.until ? nullptr : &contact;
+}
+
+/// Whether the two triangles that pierced each other when a pair was measured still do. False where
+/// that is not certain.
 ///
-/// i        has a contact
-/// a, b     the patches
-/// returns  whether there is one that still holds
-bool carry_contact(const QueryFrame& frame, std::int32_t i, const HullView& a, const HullView& b,
-                   MeasuredContact& out) noexcept;
+/// a, b  the patches
+bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                  const TriangleHint& hint) noexcept;
+
+/// A contact where it is now, its bound grown by what the bodies may have moved.
+void move_contact(const QueryFrame& frame, const CarriedContact& contact,
+                  MeasuredContact& out) noexcept;
 
 }  // namespace thigma::detail

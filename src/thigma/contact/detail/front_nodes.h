@@ -126,7 +126,7 @@ inline void retarget(ContactFront& front, double tolerance) noexcept {
     front.expires[i] = round_down(static_cast<double>(front.expires[i]) + by);
   }
   front.tolerance = tolerance;
-  forget_carried(front);
+  forget_depths(front);
 }
 
 // Brings travel up to this pose, or forgets everything: other bodies, another kind of query, or a

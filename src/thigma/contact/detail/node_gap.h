@@ -19,7 +19,7 @@ inline constexpr double kPlacementRounding = 1e-14;
 
 /// Places of two nodes against each other, shared by all tests of the pair.
 struct PlacedHulls {
-  HullView a, b;
+  const HullView &a, &b;       // outlive it
   Vec3 offset = Vec3::Zero();  // from the centre of a to that of b [m; frame of a]
   double rounding = 0.0;       // of offset and everything measured along it [m]
 };
@@ -30,6 +30,8 @@ inline PlacedHulls place(const HullView& a, const HullView& b, const RelativePos
                                          pose.translation.lpNorm<1>() + a.radius + b.radius);
   return hulls;
 }
+
+PlacedHulls place(const HullView&&, const HullView&&, const RelativePose&) = delete;
 
 inline double sphere_gap(const PlacedHulls& hulls) noexcept {
   return std::sqrt(hulls.offset.squaredNorm()) - hulls.a.radius - hulls.b.radius - hulls.rounding;

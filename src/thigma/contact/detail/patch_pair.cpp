@@ -29,6 +29,7 @@ bool verify(const Placement& place, const SupportSets& sets, PatchPair& result) 
   result.separation = found.distance;
   result.feature_a = sets.a;
   result.feature_b = sets.b;
+  result.is_of_hulls = true;
   result.normal = found.normal;
   result.witness_a = found.p + place.a.center;
   result.witness_b = found.q + place.a.center;
@@ -52,6 +53,7 @@ bool measure_hulls(const PatchQuery& query, const Placement& place, FrontNode& m
   result.status = touches ? PairContactStatus::separated : PairContactStatus::apart;
   result.depth = -s.distance;
   result.separation = s.distance;
+  result.is_of_hulls = true;
   result.normal = (s.witness_b - s.witness_a).normalized();
   result.witness_a = s.witness_a;
   result.witness_b = s.witness_b;
@@ -82,8 +84,8 @@ PatchPair contact_of(const PatchQuery& query, const PatchSeparation& gap, FrontN
     remember(memory, pair.normal, true);
   else
     memory.has_normal = false;
-  return {pair.status,    pair.depth,      pair.normal.normalized(), pair.witness_a,
-          pair.witness_b, pair.separation, pair.feature_a,           pair.feature_b};
+  return {pair.status,     pair.depth,     pair.normal.normalized(), pair.witness_a, pair.witness_b,
+          pair.separation, pair.feature_a, pair.feature_b,           false};
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct PatchPair {
   double separation = 0.0;  // of the triangles, 0 where they intersect; not of `apart` [m]
   // hull vertices of the closest features; 0 where triangles intersect
   std::uint32_t feature_a = 0, feature_b = 0;
+  bool is_of_hulls = false;  // the hulls are apart, and it is their distance; not of `apart`
 };
 
 /// Decides whether a pair is measured to the end: `decide(context, feature_a, feature_b, point_a,

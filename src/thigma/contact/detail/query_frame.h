@@ -23,8 +23,9 @@ struct QueryFrame {
   Vec3 world_position;
   ContactFront& front;
   ContactSet& set;
-  std::size_t first;     // contact of this query in the set
-  bool is_full = false;  // contacts are a heap by now
+  std::size_t first;                             // contact of this query in the set
+  bool is_full = false;                          // contacts are a heap by now
+  bool is_carrying = false, is_holding = false;  // this query does
 };
 
 inline QueryFrame make_frame(const PlacedHierarchy& object, const PlacedHierarchy& scene,
@@ -56,12 +57,14 @@ inline bool is_leaf_pair(const QueryFrame& frame, std::int32_t a, std::int32_t b
 /// spheres' bound is enough where it outlives the next frame; that of the known axis where it
 /// culls, as it costs a tenth of a search; the search ends with the first bound that outlives the
 /// next frame.
-inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
+///
+/// found  the distance of hulls within d_ab, if it was needed
+inline double slack_of(QueryFrame& frame, FrontNode& node, Separation* found = nullptr) noexcept {
   ++frame.set.stats.tests;
-  const double reach =
-      frame.query.tolerance + node_a(frame, node.a).hausdorff + node_b(frame, node.b).hausdorff;
-  const PlacedHulls hulls =
-      place(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose);
+  const ClodNode &a = node_a(frame, node.a), &b = node_b(frame, node.b);
+  const double reach = frame.query.tolerance + a.hausdorff + b.hausdorff;
+  const HullView hull_a = bare_hull(frame.object, a), hull_b = bare_hull(frame.scene, b);
+  const PlacedHulls hulls = place(hull_a, hull_b, frame.pose);
   double slack = sphere_gap(hulls) - reach;
   const double enough = frame.front.last_step;
   if (slack > enough) return slack;
@@ -75,6 +78,7 @@ inline double slack_of(QueryFrame& frame, FrontNode& node) noexcept {
   const Separation s =
       closest_points(hulls.a, hulls.b, frame.pose, reach + kLonger * enough, node.gjk);
   if (s.status == GjkStatus::overlapping || !(s.distance > 0.0)) return std::max(slack, -reach);
+  if (found != nullptr && s.status == GjkStatus::separated && s.distance <= reach) *found = s;
   // Where the search stopped early the distance is less than that of the witnesses.
   const Vec3 axis = (s.witness_b - s.witness_a).normalized();
   if (!node.has_normal) {

@@ -5,6 +5,7 @@
 #include <emmintrin.h>
 
 #include "thigma/contact/detail/front_nodes.h"
+#include "thigma/contact/exact/held_contacts.h"
 
 // Sec. 3.4.1-3.4.2 with generalized front tracking (Ehmann and Lin 2001). Each decision of the
 // traversal (this pair is farther apart than d_ab, that one is not) is kept with the motion it
@@ -67,11 +68,13 @@ void descend(QueryFrame& frame, std::int32_t i, PairLimit& most) noexcept {
     front.work.pop_back();
     FrontNode& node = front.nodes[k];
     most.hold(frame);
-    const double slack = slack_of(frame, node);
+    Separation found;
+    const double slack = slack_of(frame, node, &found);
     if (slack > 0.0) {
       set_timer(front, k, slack);
     } else if (is_leaf_pair(frame, node.a, node.b)) {
       activate(frame, k);
+      if (frame.is_holding) keep_hulls(frame, k, found);
     } else if (split(frame, k, splits_a(frame, node.a, node.b))) {
       // It can only rise again once the bodies moved by what it lacks; a quarter of the tolerance
       // keeps it from going back and forth.
@@ -155,6 +158,8 @@ bool splits_a(const QueryFrame& frame, std::int32_t a, std::int32_t b) noexcept 
 bool track_exact(QueryFrame& frame) noexcept {
   const FrontState state = advance_front(frame, false);
   if (state == FrontState::no_memory) return false;
+  frame.is_carrying = is_carrying(frame);
+  frame.is_holding = frame.is_carrying && may_hold(frame);
   PairLimit most(frame, state == FrontState::empty);
   if (state == FrontState::empty) {
     descend(frame, take_node(frame.front), most);

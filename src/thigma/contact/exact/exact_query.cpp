@@ -5,6 +5,7 @@
 #include "thigma/contact/detail/carry_contacts.h"
 #include "thigma/contact/detail/front_nodes.h"
 #include "thigma/contact/exact/exact_front.h"
+#include "thigma/contact/exact/held_contacts.h"
 #include "thigma/contact/surface_crossing.h"
 
 namespace thigma::detail {
@@ -15,18 +16,20 @@ struct ExactQuery {
   QueryFrame& frame;
   SegmentProbe probe;
   bool is_unordered = false;  // some contacts came from a traversal without memory
-  bool is_carrying = false;
 };
 
 // Reports the contact that a leaf pair, place i of the front, carries; false: it has to be
 // measured.
 bool report_carried(QueryFrame& frame, const FrontNode& node, std::int32_t i) noexcept {
-  if (!has_carried(frame.front.carried, i)) return false;
-  MeasuredContact carried;
-  if (!carry_contact(frame, i, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
-                     carried) ||
-      -carried.pair.depth > frame.query.tolerance)
+  const CarriedContact* due = due_contact(frame, i);
+  if (due == nullptr) return false;
+  if (due->is_penetrating &&
+      !still_pierce(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose,
+                    node.triangles))
     return false;
+  MeasuredContact carried;
+  move_contact(frame, *due, carried);
+  if (-carried.pair.depth > frame.query.tolerance) return false;
   Contact contact = make_contact(frame, node, carried.pair);
   contact.bound = carried.bound;
   report(frame, contact);
@@ -46,6 +49,12 @@ double measure_leaf(const ExactQuery& exact, FrontNode& node) noexcept {
 double carry_leaf(const ExactQuery& exact, FrontNode& node, std::int32_t i) noexcept {
   QueryFrame& frame = exact.frame;
   if (report_carried(frame, node, i)) return 0.0;
+  if (frame.is_holding) {
+    double least = 0.0;
+    const Nearness nearness = nearness_of(frame, i, least);
+    if (nearness == Nearness::within && hold_pair(frame, i, least)) return 0.0;
+    if (nearness == Nearness::beyond) return least - frame.query.tolerance;
+  }
   const PatchPair pair = measure_leaf_pair(frame, node, exact.probe);
   keep_contact(frame, i, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
                {.pair = pair, .nearest = -pair.depth});
@@ -105,7 +114,7 @@ void measure_active(const ExactQuery& exact) noexcept {
                            key_of(frame, lists.active[old]) < key_of(frame, lists.incoming[fresh]));
     const std::int32_t i = take_old ? lists.active[old++] : lists.incoming[fresh++];
     FrontNode& node = front.nodes[i];
-    const double slack = exact.is_carrying ? carry_leaf(exact, node, i) : measure_leaf(exact, node);
+    const double slack = frame.is_carrying ? carry_leaf(exact, node, i) : measure_leaf(exact, node);
     if (slack > 0.0) {
       front.nodes[i].is_active = false;
       set_timer(front, i, slack);
@@ -150,8 +159,11 @@ void query_exact(QueryFrame& frame) noexcept {
   const CrossingContext crossing{&frame.object, &frame.scene, frame.pose, front.object_closed,
                                  front.scene_closed};
   ExactQuery exact{frame, crossing_probe(crossing)};
-  exact.is_carrying = is_carrying(frame);
+  const ExactFront& lists = front.exact;
+  frame.is_holding =
+      frame.is_holding && begin_holding(frame, lists.active.size() + lists.incoming.size());
   measure_active(exact);
+  if (frame.is_holding) fill_held(frame, exact.probe);
   traverse_saturated(exact);
   std::vector<Contact>& contacts = frame.set.contacts;
   const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(frame.first);

@@ -40,8 +40,9 @@ struct Range {
 
 // Gap of the nodes' hulls along a unit axis, less and more than the rounding of single precision.
 Range hull_gap(const QueryFrame& frame, const FrontNode& node, const Vec3& normal) noexcept {
-  const PlacedHulls hulls =
-      detail::place(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose);
+  const HullView a = bare_hull(frame.object, node_a(frame, node.a));
+  const HullView b = bare_hull(frame.scene, node_b(frame, node.b));
+  const PlacedHulls hulls = place(a, b, frame.pose);
   const float axis[3] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()),
                          static_cast<float>(normal.z())};
   const double low = axis_gap(hulls, frame.pose, axis);
