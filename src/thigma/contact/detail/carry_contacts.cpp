@@ -156,8 +156,8 @@ void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const Hu
                   const MeasuredContact& measured) noexcept {
   CarriedContacts& carried = frame.front.carried;
   const double most = share_of(i) * frame.query.resolution.carry * frame.query.tolerance;
-  const bool is_steady =
-      steadiness(measured.pair, a, b, frame.pose, frame.query.measures_hulls) > most;
+  const bool is_steady = !measured.is_of_search && steadiness(measured.pair, a, b, frame.pose,
+                                                              frame.query.measures_hulls) > most;
   const bool is_of_hulls =
       measured.pair.status == PairContactStatus::separated && measured.pair.is_of_hulls;
   if (!is_steady && !(is_of_hulls && frame.query.holds_near)) return drop_carried(carried, i);

@@ -38,6 +38,7 @@ struct MeasuredContact {
   PatchPair pair;
   double bound = 0.0, nearest = 0.0;  // as of LevelPair [m]
   LevelDecision decided_by = LevelDecision::finest;
+  bool is_of_search = false;  // depends on what was remembered, by rounding: it is not carried
 };
 
 /// Keeps a contact for as long as it cannot become of another kind.

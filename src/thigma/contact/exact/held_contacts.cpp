@@ -107,8 +107,12 @@ bool may_hold(const QueryFrame& frame) noexcept {
 }
 
 bool begin_holding(QueryFrame& frame, std::size_t leaves) noexcept {
+  // Of the way that contacts are carried: measured once, they are carried for some frames.
+  constexpr double kSlow = 0.25;
   frame.front.carried.held.clear();
-  return frame.set.contacts.capacity() - frame.set.contacts.size() >= leaves;
+  const bool is_slow =
+      frame.front.last_step < kSlow * frame.query.resolution.carry * frame.query.tolerance;
+  return !is_slow && frame.set.contacts.capacity() - frame.set.contacts.size() >= leaves;
 }
 
 void keep_hulls(QueryFrame& frame, std::int32_t i, const Separation& hulls) noexcept {
@@ -124,7 +128,7 @@ void keep_hulls(QueryFrame& frame, std::int32_t i, const Separation& hulls) noex
   pair.witness_a = hulls.witness_a;
   pair.witness_b = hulls.witness_b;
   pair.is_of_hulls = true;
-  keep_contact(frame, i, a, b, {.pair = pair, .nearest = hulls.distance});
+  keep_contact(frame, i, a, b, {.pair = pair, .nearest = hulls.distance, .is_of_search = true});
 }
 
 Nearness nearness_of(QueryFrame& frame, std::int32_t i, double& least) noexcept {
