@@ -233,6 +233,21 @@ std::vector<std::int32_t> patches_of(const ClodHierarchy& h, const SurfaceFeatur
   return patch_of;
 }
 
+PatchNormals normals_of(const SurfaceFeatures& features, std::size_t patch) {
+  constexpr double kRounding = 1e-12;
+  const auto triangles =
+      part_of(features.patch_triangles, features.first_triangle, static_cast<std::int32_t>(patch));
+  PatchNormals normals;
+  for (const std::int32_t t : triangles) normals.axis += features.triangles[idx(t)].normal;
+  const double length = normals.axis.norm();
+  normals.axis = length > kRounding ? Vec3(normals.axis / length) : Vec3::Zero();
+  for (const std::int32_t t : triangles)
+    normals.spread =
+        std::max(normals.spread, (features.triangles[idx(t)].normal - normals.axis).norm());
+  normals.spread += kRounding;
+  return normals;
+}
+
 void add_patch_lists(const ClodHierarchy& h, const std::vector<FoundEdge>& found,
                      SurfaceFeatures& features) {
   const std::vector<std::int32_t> patch_of = patches_of(h, features);
@@ -261,6 +276,7 @@ void add_patch_lists(const ClodHierarchy& h, const std::vector<FoundEdge>& found
     features.first_edge.push_back(static_cast<std::int32_t>(features.patch_edges.size()));
     const ClodNode& node = h.nodes[idx(h.patches[p].node)];
     features.patch_balls.push_back({node.center, node.radius});
+    features.patch_normals.push_back(normals_of(features, p));
   }
 }
 

@@ -39,6 +39,12 @@ struct PatchBall {
   double radius = 0.0;         // [m]
 };
 
+/// The normals of a patch's triangles: none is farther from `axis` than `spread`, as vectors.
+struct PatchNormals {
+  Vec3 axis = Vec3::Zero();  // unit, or zero where they cancel out
+  double spread = 0.0;       // with the rounding of a scalar product
+};
+
 /// Features of the finest surface of a hierarchy, in its frame. Immutable while running.
 /// Vertices are those of the finest patches, equal positions made one.
 struct SurfaceFeatures {
@@ -56,6 +62,7 @@ struct SurfaceFeatures {
   std::vector<std::int32_t> first_vertex, first_triangle, first_edge;  // patches + 1 each
   std::vector<std::int32_t> patch_vertices, patch_triangles, patch_edges;
   std::vector<PatchBall> patch_balls;
+  std::vector<PatchNormals> patch_normals;
 };
 
 /// Features of a hierarchy's finest surface.

@@ -213,8 +213,7 @@ void find_planes(const RowSearch& search, std::int32_t patch, RowScratch& scratc
 /// One contact's edges.
 struct EdgeSearch {
   const Contact& contact;
-  Mat3 scene_from_object, object_from_scene;  // rotations
-  Slab slab;                                  // none: of no axis
+  Slab slab;  // none: of no axis
   bool has_planes = false;
   std::int32_t object = -1;                   // edge that was looked at last
   bool is_asked = false, is_guarded = false;  // of it, by those planes
@@ -275,10 +274,10 @@ void search_pair(RowSearch& search, const RowScratch::FeaturePair& listed, EdgeS
   PlacedPair pair;
   pair.object = listed.of_object;
   pair.scene = listed.of_scene;
-  if (!may_touch(search, e, cone_of(f, pair.scene, edges.object_from_scene), pair.sign)) return;
+  if (!may_touch(search, e, cone_of(f, pair.scene, search.to_object), pair.sign)) return;
   const Vec3& position = search.scene_from_object.position;
-  pair.object_tail = edges.scene_from_object * a.vertices[idx(e.tail)] + position;
-  pair.object_head = edges.scene_from_object * a.vertices[idx(e.head)] + position;
+  pair.object_tail = search.to_scene * a.vertices[idx(e.tail)] + position;
+  pair.object_head = search.to_scene * a.vertices[idx(e.head)] + position;
   if (!place(search, pair) || is_guarded(search, pair, edges, scratch)) return;
   consider(search, pair, scratch, rows);
 }
@@ -290,8 +289,6 @@ void search_edges(RowSearch& search, const Contact& contact, const Slab& slab, R
   EdgeSearch edges{.contact = contact, .slab = slab};
   const auto pairs = find_pairs(search, edges, scratch);
   if (pairs.empty()) return;
-  edges.scene_from_object = search.scene_from_object.orientation.toRotationMatrix();
-  edges.object_from_scene = search.object_from_scene.orientation.toRotationMatrix();
   for (const RowScratch::FeaturePair& pair : pairs) search_pair(search, pair, edges, scratch, rows);
 }
 

@@ -21,11 +21,8 @@ struct Beyond {
   double most = 0.0;
 };
 
-bool is_beyond(const SurfaceFeatures& features, const SurfaceTriangle& triangle,
-               const Beyond& beyond) noexcept {
-  for (const std::int32_t v : triangle.vertex)
-    if (beyond.axis.dot(features.vertices[idx(v)]) <= beyond.most) return false;
-  return true;
+bool is_beyond(const SurfaceTriangle& triangle, const Beyond& beyond) noexcept {
+  return beyond.axis.dot(triangle.center) - triangle.radius > beyond.most;
 }
 
 void add_pair(RowSearch& search, const RowScratch::FeaturePair& pair,
@@ -83,20 +80,30 @@ void list_vertices(RowSearch& search, FeatureKind kind, const Contact& contact, 
   if (vertices.empty()) return;
   const Beyond beyond = is_object ? Beyond{slab.scene_axis, slab.scene_most}
                                   : Beyond{-slab.object_axis, -slab.object_least};
-  const Mat3 points_from_planes = sides.rotation.transpose();
-  std::array<Vec3, kMostNear> points;
-  for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = sides.placed(vertices[i]);
   const SurfaceFeatures& planes = sides.planes;
+  const PatchBall& ball = planes.patch_balls[idx(planes_patch)];
+  const PatchNormals& normals = planes.patch_normals[idx(planes_patch)];
+  const Mat3 points_from_planes = sides.rotation.transpose();
+  const Vec3 axis = points_from_planes * normals.axis;
+  std::array<Vec3, kMostNear> points;
+  std::size_t count = 0;
+  for (const std::int32_t v : vertices) {
+    const Vec3 p = sides.placed(v);
+    if (!is_in_reach(p, 0.0, ball, reach.travel) ||
+        !may_touch(sides.points, v, axis, reach.slack + normals.spread))
+      continue;
+    vertices[count] = v;
+    points[count++] = p;
+  }
+  if (count == 0) return;
   for (const std::int32_t t :
        part_of(planes.patch_triangles, planes.first_triangle, planes_patch)) {
     const SurfaceTriangle& triangle = planes.triangles[idx(t)];
-    if (is_beyond(planes, triangle, beyond)) continue;
-    const Vec3 normal_of_points = points_from_planes * triangle.normal;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (is_beyond(triangle, beyond)) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_near(planes, triangle, points[i], reach)) continue;
       const std::int32_t v = vertices[i];
-      if (!is_near(planes, triangle, points[i], reach) ||
-          !may_touch(sides.points, v, normal_of_points, reach.slack))
-        continue;
+      if (!may_touch(sides.points, v, points_from_planes * triangle.normal, reach.slack)) continue;
       add_pair(search, is_object ? RowScratch::FeaturePair{v, t} : RowScratch::FeaturePair{t, v},
                scratch);
     }
@@ -108,7 +115,6 @@ bool gather_edges(const RowSearch& search, const Contact& contact, const Slab& s
   const SurfaceFeatures& b = *search.scene.features;
   PatchBall of_a = search.object.features->patch_balls[idx(contact.object_patch)];
   of_a.center = transform_point(search.scene_from_object, of_a.center);
-  const Mat3 rotation = search.object_from_scene.orientation.toRotationMatrix();
   scratch.near_edges.clear();
   scratch.near_cones.clear();
   for (const std::int32_t k : part_of(b.patch_edges, b.first_edge, contact.scene_patch)) {
@@ -119,7 +125,7 @@ bool gather_edges(const RowSearch& search, const Contact& contact, const Slab& s
     if (least > slab.scene_most || scratch.near_edges.size() == scratch.near_edges.capacity())
       continue;
     scratch.near_edges.push_back({f.middle, f.half, least});
-    scratch.near_cones.push_back(cone_of(f, k, rotation));
+    scratch.near_cones.push_back(cone_of(f, k, search.to_object));
   }
   return !scratch.near_edges.empty();
 }
@@ -128,11 +134,10 @@ void list_edges(RowSearch& search, const Contact& contact, const Slab& slab, con
                 std::span<const std::int32_t> planes, RowScratch& scratch) noexcept {
   const SurfaceFeatures& a = *search.object.features;
   const PatchBall& of_b = search.scene.features->patch_balls[idx(contact.scene_patch)];
-  const Mat3 rotation = search.scene_from_object.orientation.toRotationMatrix();
   const double object_least =
       slab.object_least + slab.scene_axis.dot(search.scene_from_object.position);
   const auto placed = [&](const Vec3& point) -> Vec3 {
-    return rotation * point + search.scene_from_object.position;
+    return search.to_scene * point + search.scene_from_object.position;
   };
   for (const std::int32_t i : part_of(a.patch_edges, a.first_edge, contact.object_patch)) {
     const ConvexEdge& e = a.edges[idx(i)];

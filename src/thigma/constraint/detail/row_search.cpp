@@ -46,6 +46,8 @@ RowSearch make_search(const BodyPair& pair, const RowReach& reach) noexcept {
   RowSearch search{.object = object, .scene = scene, .body = pair.body, .reach = reach};
   search.scene_from_object = inverse(scene.world_from_mesh) * object.world_from_mesh;
   search.object_from_scene = inverse(search.scene_from_object);
+  search.to_scene = search.scene_from_object.orientation.toRotationMatrix();
+  search.to_object = search.object_from_scene.orientation.toRotationMatrix();
   search.way = placed_way(reach, inverse(scene.world_from_mesh));
   // Coordinates are exact to 2^-52 of their size; products of a few lose a little more.
   constexpr double kRounding = 1e-12;

@@ -27,9 +27,10 @@ struct RowSearch {
   PlacedFeatures object, scene;
   std::int32_t body = 0;
   RowReach reach;
-  Pose scene_from_object{}, object_from_scene{};  // mesh frames
-  LikelyWay way{};                                // of the reach, in the scene's mesh frame
-  double rounding = 0.0;                          // lengths below it are none [m]
+  Pose scene_from_object{}, object_from_scene{};                   // mesh frames
+  Mat3 to_scene = Mat3::Identity(), to_object = Mat3::Identity();  // rotations of these
+  LikelyWay way{};          // of the reach, in the scene's mesh frame
+  double rounding = 0.0;    // lengths below it are none [m]
   double cone_slack = 0.0;  // sine by which turning may widen a cone of normals
   StaticVector<KnownLimit, kMostKnown> known{};
   double least_gap = 0.0;  // of those; infinite without [m]

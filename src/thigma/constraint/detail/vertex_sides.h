@@ -9,8 +9,8 @@ namespace thigma::detail {
 struct Sides {
   const SurfaceFeatures& points;
   const SurfaceFeatures& planes;
-  Pose planes_from_points;
-  Mat3 rotation;  // of it
+  const Pose& planes_from_points;
+  const Mat3& rotation;  // of it
   PointsOf points_of;
 
   /// A vertex in the frame of the planes.
@@ -25,10 +25,10 @@ struct Sides {
 
 inline Sides sides_of(const RowSearch& s, PointsOf points_of) noexcept {
   const bool is_object = points_of == PointsOf::object;
-  const Pose& pose = is_object ? s.scene_from_object : s.object_from_scene;
   const SurfaceFeatures &object = *s.object.features, &scene = *s.scene.features;
-  return {is_object ? object : scene, is_object ? scene : object, pose,
-          pose.orientation.toRotationMatrix(), points_of};
+  return {is_object ? object : scene, is_object ? scene : object,
+          is_object ? s.scene_from_object : s.object_from_scene,
+          is_object ? s.to_scene : s.to_object, points_of};
 }
 
 /// Whether the surface about a vertex stays in front of a plane through it, but for what turning
