@@ -41,7 +41,7 @@ struct Frames {
 
   Frames() { reserve_level_history(tree, scene, 16, history); }
   std::int32_t next(const std::vector<Contact>& contacts) {
-    return count_level_changes(tree, scene, contacts, history);
+    return count_level_changes(tree, scene, contacts, 1e-3, history);
   }
 };
 
@@ -70,6 +70,26 @@ TEST(LevelChanges, RefiningAndCoarseningOfEitherSideCount) {
   EXPECT_GT(f.next({touching(kFine, kFine + 1), touching(kFine + 1, kCoarse)}), 0);
   EXPECT_GT(f.next({touching(kCoarse, kCoarse)}), 0);
   EXPECT_GT(f.next({touching(kFine, kFine)}), 0);  // both sides at once
+}
+
+TEST(LevelChanges, WhatPressesNeitherBeforeNorAfterDoesNotCount) {
+  const auto apart = [](Contact c) {
+    c.depth = -1.1e-3;
+    return c;
+  };
+  const Contact coarse = touching(kCoarse, kCoarse), fine = touching(kFine, kCoarse);
+  for (const bool is_refined : {true, false}) {
+    const Contact &before = is_refined ? coarse : fine, &after = is_refined ? fine : coarse;
+    Frames f;
+    f.next({apart(before)});
+    EXPECT_EQ(f.next({apart(after)}), 0);
+    f.next({});
+    f.next({before});
+    EXPECT_GT(f.next({apart(after)}), 0);
+    f.next({});
+    f.next({apart(before)});
+    EXPECT_GT(f.next({after}), 0);
+  }
 }
 
 TEST(LevelChanges, BlendsCountWhereTheyBeginAndWhereTheyEnd) {

@@ -83,6 +83,43 @@ TEST(LinearizeContacts, ABlendedContactEntersWithItsWeight) {
   }
 }
 
+double force_of(const ContactClusters& clusters, double tolerance) {
+  const RigidBody body = make_body(0.1, 1e-4 * Mat3::Identity());
+  const PenaltyParams params{.stiffness = 2000.0, .damping = 0.0, .tolerance = tolerance};
+  return contact_wrench(linearize_contacts(clusters, params, {BodyState{}, 0.0, 1}), body,
+                        BodyState{})
+      .force.norm();
+}
+
+double force_of(const std::vector<Contact>& contacts) {
+  ContactClusters clusters;
+  ClusterScratch scratch;
+  cluster_contacts(contacts, {}, {.max_clusters = 5, .tolerance = 1e-3}, scratch, clusters);
+  return force_of(clusters, 1e-3);
+}
+
+// Where nothing else presses it has nobody to share the stiffness with.
+TEST(LinearizeContacts, ABlendedContactThatIsAlonePressesByItsWeight) {
+  constexpr double kAlone = 2000.0 * 1.5e-3;
+  for (const double weight : {0.0, 0.01, 0.5, 1.0}) {
+    const Contact contact = blended_contact(0.05, 5e-4, weight);
+    EXPECT_NEAR(force_of({contact}), weight * kAlone, 1e-9);
+    // beside one that does not press
+    EXPECT_NEAR(force_of({contact, blended_contact(0.0, -1e-3, 1.0)}), weight * kAlone, 1e-9);
+    // beside one that begins to
+    EXPECT_NEAR(force_of({contact, blended_contact(0.0, -1e-3 + 1e-9, 1.0)}), weight * kAlone,
+                weight > 0.0 ? 1e-3 : 1e-5);
+  }
+}
+
+// A contact and what it is blended with, in two places, are one.
+TEST(LinearizeContacts, HalvesOfABlendAreOneContact) {
+  for (const double weight : {0.25, 0.5, 0.75})
+    EXPECT_NEAR(
+        force_of({blended_contact(0.0, 0.0, weight), blended_contact(0.05, 0.0, 1.0 - weight)}),
+        2000.0 * 1e-3, 2000.0 * 1e-3 * 0.2);
+}
+
 // n pairs of a flat contact: however many there are, and however many clusters they make, the floor
 // is as stiff.
 TEST(LinearizeContacts, force_of_a_flat_contact_does_not_grow_with_pairs_or_clusters) {

@@ -39,7 +39,7 @@ std::int32_t parent(const std::vector<std::int32_t>& parents, std::int32_t node)
   return node >= 0 && at < parents.size() ? parents[at] : -1;
 }
 
-/// Whether a pair above this one, but not itself, is among sorted pairs.
+/// Whether a pair above this one, but not itself, is among sorted pairs, and either presses.
 bool has_ancestor(const LevelHistory& history, const std::vector<NodePair>& pairs,
                   const NodePair& pair) noexcept {
   const std::vector<std::int32_t>& scene_parents =
@@ -48,9 +48,9 @@ bool has_ancestor(const LevelHistory& history, const std::vector<NodePair>& pair
   for (int i = 0; i <= kMostSteps && object >= 0; ++i) {
     std::int32_t scene = pair.scene;
     for (int j = 0; j <= kMostSteps && scene >= 0; ++j) {
-      if (i + j > 0 &&
-          std::binary_search(pairs.begin(), pairs.end(), NodePair{pair.body, object, scene}))
-        return true;
+      const NodePair above{pair.body, object, scene};
+      const auto at = i + j > 0 ? std::lower_bound(pairs.begin(), pairs.end(), above) : pairs.end();
+      if (at != pairs.end() && *at == above && (at->presses || pair.presses)) return true;
       scene = parent(scene_parents, scene);
     }
     object = parent(history.object_parents, object);
@@ -96,14 +96,14 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
 }
 
 std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
-                                 std::span<const Contact> contacts,
+                                 std::span<const Contact> contacts, double tolerance,
                                  LevelHistory& history) noexcept {
   history.now.clear();
   for (const Contact& c : contacts) {
     if (c.body < 0 || static_cast<std::size_t>(c.body) >= history.scene_parents.size()) continue;
     const ClodHierarchy& other = *scene[static_cast<std::size_t>(c.body)].hierarchy;
     const NodePair pair{c.body, contact_node(object, c.object_patch),
-                        contact_node(other, c.scene_patch)};
+                        contact_node(other, c.scene_patch), c.depth > -tolerance};
     if (pair.object >= 0 && pair.scene >= 0) history.now.push_back(pair);
   }
   std::sort(history.now.begin(), history.now.end());

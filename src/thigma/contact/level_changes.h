@@ -11,10 +11,17 @@
 
 namespace thigma {
 
-/// A pair of nodes in contact.
+/// A pair of nodes in contact, compared by body and nodes.
 struct NodePair {
   std::int32_t body = 0, object = -1, scene = -1;
-  friend auto operator<=>(const NodePair&, const NodePair&) = default;
+  bool presses = false;
+
+  friend auto operator<=>(const NodePair& x, const NodePair& y) noexcept {
+    if (const auto by_body = x.body <=> y.body; by_body != 0) return by_body;
+    if (const auto by_object = x.object <=> y.object; by_object != 0) return by_object;
+    return x.scene <=> y.scene;
+  }
+  friend bool operator==(const NodePair& x, const NodePair& y) noexcept { return (x <=> y) == 0; }
 };
 
 /// The pairs of the last frame, and the trees they stand in.
@@ -34,13 +41,17 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
                            std::size_t contacts, LevelHistory& history);
 
 /// Pairs that came or went and stand above or below a pair of the other frame, on either side or
-/// both: where a contact was refined or coarsened. Contacts that begin or end do not count.
+/// both: where a contact was refined or coarsened. Contacts that begin or end do not count, nor do
+/// those that press neither before nor after: queries also report what their bounds do not rule
+/// out, and it makes no force.
 ///
 /// contacts  of this frame; those without nodes are left out
+/// tolerance  d: contacts press whose depth is above -d [m]
 /// history   of the same object and scene; becomes that of this frame
 /// Thread    [contact]; no failure; allocates only when contacts outgrow the history.
 std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
-                                 std::span<const Contact> contacts, LevelHistory& history) noexcept;
+                                 std::span<const Contact> contacts, double tolerance,
+                                 LevelHistory& history) noexcept;
 
 /// Original triangles below the contacts of the frame counted last, mean of both sides, summed over
 /// the contacts.

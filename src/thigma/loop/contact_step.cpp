@@ -426,7 +426,8 @@ void make_model(const ContactWorld& world, const StampedBody& body, ContactScrat
   sample.triangles_below = 0.0;
   if (!world.resolution.is_exact && !world.constraints && !world.potential) {
     sample.level_changes =
-        count_level_changes(*world.object, world.scene, scratch.contacts.contacts, scratch.levels);
+        count_level_changes(*world.object, world.scene, scratch.contacts.contacts,
+                            query_tolerance(world), scratch.levels);
     sample.triangles_below = triangles_below(scratch.levels);
   }
   sample.model_digest = model_digest(sample.model);

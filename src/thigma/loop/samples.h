@@ -90,8 +90,9 @@ struct ContactSample {
   // Of levels of detail; all 0 of an exact query but for the first entry of the counts.
   std::int64_t mandatory_tests = 0;  // of tests, those no budget can leave out
   std::int64_t unrefined = 0;        // contacts left coarser than asked for want of budget
-  std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
-  double bound_max = 0.0;            // of the contacts [m]
+  std::int32_t level_changes =
+      0;                   // contacts that press and were refined or coarsened since the last frame
+  double bound_max = 0.0;  // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
   // Of the constrained response.
   std::int64_t rows = 0;  // found; those of the model are in `model`

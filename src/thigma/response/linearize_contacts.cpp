@@ -23,6 +23,21 @@ double present_reach(const ContactCluster& cluster, double tolerance) noexcept {
   return presence(cluster, reach) * reach;
 }
 
+// How much of everything that presses is there: 1 where one cluster is, and where several together
+// are, each as far as it counts beside the deepest. Shares of the stiffness add up to it: a contact
+// of no weight presses with nothing also where it is alone.
+double presence_of_all(const ContactClusters& clusters, double tolerance,
+                       double other_reach) noexcept {
+  double most = other_reach;
+  for (const ContactCluster& c : clusters.clusters)
+    most = std::max(most, present_reach(c, tolerance));
+  if (!(most > 0.0)) return 1.0;
+  double sum = other_reach / most;
+  for (const ContactCluster& c : clusters.clusters)
+    sum += presence(c, std::max(c.depth + tolerance, 0.0)) * present_reach(c, tolerance) / most;
+  return std::min(sum, 1.0);
+}
+
 }  // namespace
 
 double total_indentation(const ContactClusters& clusters, double tolerance) noexcept {
@@ -40,13 +55,14 @@ LinearContactModel linearize_contacts(const ContactClusters& clusters, const Pen
   model.sequence = stamp.sequence;
   const Mat3 body_from_world = rotation_matrix(state.orientation).transpose();
   const double total = total_indentation(clusters, params.tolerance) + other_reach;
+  const double there = presence_of_all(clusters, params.tolerance, other_reach);
   const double equal_share =
       1.0 / static_cast<double>(std::max<std::size_t>(clusters.clusters.size(), 1));
   for (const ContactCluster& cluster : clusters.clusters) {
     const double reach = present_reach(cluster, params.tolerance);
-    // all at -d: none can be preferred
-    const double shared = total > 0.0 ? reach / total : equal_share;
     const double alone = presence(cluster, std::max(cluster.depth + params.tolerance, 0.0));
+    // all at -d: none can be preferred
+    const double shared = total > 0.0 ? there * reach / total : alone * equal_share;
     const double share = params.is_divided_among_clusters ? shared : alone;
     PlaneTerm term;
     term.arm_body = body_from_world * (cluster.point - state.position);
