@@ -7,7 +7,9 @@
 
 #include "experiments/common/all_experiments.h"
 #include "experiments/common/contact_profile.h"
+#include "experiments/common/hands.h"
 #include "experiments/common/statistics.h"
+#include "experiments/e14-degradation/ways.h"
 
 #include "thigma/math/elementary.h"
 #include "thigma/math/quantile.h"
@@ -146,6 +148,28 @@ TimeVerdict judge(const std::vector<Result>& results, double one_test) {
   return verdict;
 }
 
+/// Times without a budget: the discs hover, jaws of as many triangles bite, led as they are at their
+/// own count.
+void add_ways(const Context& context, const WayStudy& discs, int triangles, Outcome& outcome) {
+  Table table = way_table();
+  std::vector<Claim> claims = study_ways(context, discs, table);
+  const Pair led = scene_pair(*context.assets, "jaws");
+  HandScript hand = jaws_hand(led.radius);
+  hand.seconds = static_cast<double>(discs.path.poses.size()) * discs.path.step;
+  const Path path = record_path(led, as_in_text(0.025), direct_gains(led, 0.01), hand);
+  tell(context, "building two jaws of " + std::to_string(triangles) + " triangles");
+  Assets own{.kept = context.assets->kept};
+  const Pair jaws = scene_pair(own, "jaws", triangles);
+  constexpr double kLimit = 1500.0;  // [us]
+  constexpr int kStride = 20;
+  const PenaltyParams gains = direct_gains(jaws, 0.01);
+  for (const Claim& claim :
+       study_ways(context, {"jaws", jaws, path, gains, kStride, kLimit}, table))
+    claims.push_back(claim);
+  outcome.tables.push_back(std::move(table));
+  for (Claim& claim : claims) outcome.claims.push_back(std::move(claim));
+}
+
 }  // namespace
 }  // namespace e14_degradation
 
@@ -245,6 +269,8 @@ Outcome run_e14_degradation(const Context& context) {
                     .columns = 3,
                     .width = 1300,
                     .panel_height = 320};
+  constexpr double kLimit = 800.0;  // [us]
+  add_ways(context, {"discs", pair, path, gains, 0, kLimit}, triangles, outcome);
   return outcome;
 }
 
