@@ -41,8 +41,7 @@ std::vector<double> exact_forces(const WayStudy& study) {
   for (std::size_t i = 0; i < study.path.poses.size();
        i += static_cast<std::size_t>(study.exact_stride))
     some.poses.push_back(study.path.poses[i]);
-  return forces(
-      replay(study.pair, some, as_in_text(0.0), study.gains, 1, ClusterStart::afresh), 1);
+  return forces(replay(study.pair, some, as_in_text(0.0), study.gains, 1, ClusterStart::afresh), 1);
 }
 
 }  // namespace
@@ -74,13 +73,13 @@ std::vector<Claim> study_ways(const Context& context, const WayStudy& study, Tab
                     1e6 * sample_quantile(cpu, 0.5), 1e6 * sample_quantile(cpu, 0.99), last,
                     1e6 * sample_quantile(cpu, 1.0), mean(profile.contacts), error});
   }
-  return {stated(std::string("p999-levels-") + study.name,
-                 here + "p99.9 of CPU time at s0 = 2.5 %, but for the first frame", usual, "us"),
-          on_this_machine(at_most(
-              std::string("p999-") + study.name,
-              here + "the same with one D a patch and contacts carried by 0.1 d, "
-                     "but for the first frame",
-              last, study.limit, "us"))};
+  return {
+      stated(std::string("p999-levels-") + study.name,
+             here + "p99.9 of CPU time at s0 = 2.5 %, but for the first frame", usual, "us"),
+      on_this_machine(at_most(std::string("p999-") + study.name,
+                              here + "the same with one D a patch and contacts carried by 0.1 d, "
+                                     "but for the first frame",
+                              last, study.limit, "us"))};
 }
 
 }  // namespace thigma::experiments::e14_degradation

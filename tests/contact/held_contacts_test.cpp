@@ -127,5 +127,28 @@ TEST(HeldContacts, OfMoreThanFitTheDeepestStay) {
   EXPECT_GT(most_dropped, 5);
 }
 
+// Pairs below nodes that the front has no room to divide are found anew each time.
+TEST(HeldContacts, WithLittleRoomInFrontAndSetTheDeepestStay) {
+  const Asked asked = ring_on_block(1.0);
+  Flight flight{1.0, 3e-3};
+  ContactFront measuring, holding;
+  reserve_front(measuring, asked.object, asked.scene, 64);
+  reserve_front(holding, asked.object, asked.scene, 64);
+  int most_dropped = 0;
+  for (int i = 0; i < 200; ++i) {
+    flight.next(i);
+    ContactQuery query{.tolerance = 0.04, .measures_hulls = true};
+    const ContactSet measured = asked.ask(flight.pose, query, measuring, 24);
+    query.holds_near = true;
+    query.resolution.carry = 1e-12;
+    const ContactSet held = asked.ask(flight.pose, query, holding, 24);
+    EXPECT_EQ(measured.dropped, held.dropped) << i;
+    most_dropped = std::max(most_dropped, static_cast<int>(held.dropped));
+    expect_same_pairs(measured, held, 1.0);
+    if (::testing::Test::HasFailure()) break;
+  }
+  EXPECT_GT(most_dropped, 5);
+}
+
 }  // namespace
 }  // namespace thigma

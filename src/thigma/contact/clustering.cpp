@@ -204,6 +204,7 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
     moments[k].plain_normal += c.normal;
     ContactCluster& cluster = out[k];
     cluster.weight += w;
+    cluster.blend += c.weight;
     if (cluster.member_count++ == 0)
       cluster.first_member = cluster.deepest_member = static_cast<std::int32_t>(i);
     if (c.depth > contacts[static_cast<std::size_t>(cluster.deepest_member)].depth) {
@@ -306,6 +307,7 @@ void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& 
     compute_representatives(scratch, n, seeds);
   }
   std::array<ContactCluster, kMaxContactClusters> by_seed{};
+  for (ContactCluster& cluster : by_seed) cluster.blend = 0.0;
   summarize(contacts, seeds, scratch, by_seed);
   publish(by_seed, m, scratch, result);
   result.cost = cost(scratch, result);

@@ -27,6 +27,7 @@ struct ContactCluster {
   Vec3 normal = Vec3::UnitZ();  // unit, out of the grasped object [world]
   double depth = 0.0;           // weighted mean of the members' [m]
   double weight = 0.0;          // sum of the members' weights, 0 when all are at -d [m]
+  double blend = 1.0;           // sum of Contact::weight of the members
   // persistent: inherited from the previous cluster that seeded this one
   std::int32_t id = -1;
   std::int32_t member_count = 0;

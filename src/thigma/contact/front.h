@@ -101,7 +101,7 @@ struct CarriedContacts {
   std::vector<HeldPair> held;      // of the last query
   double nearest = 0.0;            // of its contacts; where pairs are looked at more closely [m]
   Resolution asked;                // what they were measured for
-  bool keeps_direction = false;
+  bool keeps_direction = false, measures_hulls = false;
 };
 
 /// Scratch of one pair of bodies. Owned by the caller, one a pair; any content is valid input.

@@ -42,8 +42,8 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
 
 /// Pairs that came or went and stand above or below a pair of the other frame, on either side or
 /// both: where a contact was refined or coarsened. Contacts that begin or end do not count, nor do
-/// those that press neither before nor after: queries also report what their bounds do not rule
-/// out, and it makes no force.
+/// those that press neither before nor after, where the models are made: queries also report what
+/// their bounds do not rule out.
 ///
 /// contacts  of this frame; those without nodes are left out
 /// tolerance  d: contacts press whose depth is above -d [m]

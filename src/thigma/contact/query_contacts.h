@@ -29,8 +29,8 @@ struct ContactQuery {
   bool measures_hulls = false;
   // With measures_hulls and Resolution::carry, exact: of pairs that are certain to be within d
   // those alone are measured that may be the nearest. The others move along like carried contacts,
-  // however far the bodies have gone, with a bound that says so: the pairs are the same, the nearest
-  // is as near
+  // however far the bodies have gone, with a bound that says so: the pairs are the same, and the
+  // nearest is as near, as long as all that are within d have room
   bool holds_near = false;
   Resolution resolution{};  // exact unless asked otherwise
 };

@@ -11,9 +11,10 @@ static_assert(kMaxContactClusters <= kMaxClusters, "a cluster must find room in 
 
 // How much of a cluster is there: below 1 where all it has are a few contacts that are being
 // blended in or out. Its weight over its reach is a lone contact's own weight, and never below 1
-// for contacts of weight 1.
+// for contacts of weight 1; one that does not press yet may before the next model.
 double presence(const ContactCluster& cluster, double reach) noexcept {
   constexpr double kRounding = 1e-9;
+  if (!(reach > 0.0)) return std::min(cluster.blend, 1.0);
   return cluster.weight < (1.0 - kRounding) * reach ? cluster.weight / reach : 1.0;
 }
 
@@ -24,8 +25,8 @@ double present_reach(const ContactCluster& cluster, double tolerance) noexcept {
 }
 
 // How much of everything that presses is there: 1 where one cluster is, and where several together
-// are, each as far as it counts beside the deepest. Shares of the stiffness add up to it: a contact
-// of no weight presses with nothing also where it is alone.
+// are, each as far as it reaches beside the one that counts most. Shares of the stiffness add up to
+// it: a contact of no weight presses with nothing also where it is alone.
 double presence_of_all(const ContactClusters& clusters, double tolerance,
                        double other_reach) noexcept {
   double most = other_reach;
@@ -33,8 +34,10 @@ double presence_of_all(const ContactClusters& clusters, double tolerance,
     most = std::max(most, present_reach(c, tolerance));
   if (!(most > 0.0)) return 1.0;
   double sum = other_reach / most;
-  for (const ContactCluster& c : clusters.clusters)
-    sum += presence(c, std::max(c.depth + tolerance, 0.0)) * present_reach(c, tolerance) / most;
+  for (const ContactCluster& c : clusters.clusters) {
+    const double reach = std::max(c.depth + tolerance, 0.0);
+    sum += presence(c, reach) * std::min(reach / most, 1.0);
+  }
   return std::min(sum, 1.0);
 }
 

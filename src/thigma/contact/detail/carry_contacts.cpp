@@ -144,10 +144,12 @@ bool is_carrying(QueryFrame& frame) noexcept {
   if (!(r.carry > 0.0) || carried.place == nullptr) return false;
   if (!r.is_exact && (is_of_pose || has_budget || r.exact_within > 0.0)) return false;
   if (!is_same_question(carried.asked, r) ||
-      carried.keeps_direction != frame.query.keep_directions) {
+      carried.keeps_direction != frame.query.keep_directions ||
+      carried.measures_hulls != frame.query.measures_hulls) {
     forget_carried(frame.front);
     carried.asked = r;
     carried.keeps_direction = frame.query.keep_directions;
+    carried.measures_hulls = frame.query.measures_hulls;
   }
   return true;
 }

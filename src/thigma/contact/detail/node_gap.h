@@ -32,6 +32,8 @@ inline PlacedHulls place(const HullView& a, const HullView& b, const RelativePos
 }
 
 PlacedHulls place(const HullView&&, const HullView&&, const RelativePose&) = delete;
+PlacedHulls place(const HullView&, const HullView&&, const RelativePose&) = delete;
+PlacedHulls place(const HullView&&, const HullView&, const RelativePose&) = delete;
 
 inline double sphere_gap(const PlacedHulls& hulls) noexcept {
   return std::sqrt(hulls.offset.squaredNorm()) - hulls.a.radius - hulls.b.radius - hulls.rounding;

@@ -49,12 +49,8 @@ double measure_leaf(const ExactQuery& exact, FrontNode& node) noexcept {
 double carry_leaf(const ExactQuery& exact, FrontNode& node, std::int32_t i) noexcept {
   QueryFrame& frame = exact.frame;
   if (report_carried(frame, node, i)) return 0.0;
-  if (frame.is_holding) {
-    double least = 0.0;
-    const Nearness nearness = nearness_of(frame, i, least);
-    if (nearness == Nearness::within && hold_pair(frame, i, least)) return 0.0;
-    if (nearness == Nearness::beyond) return least - frame.query.tolerance;
-  }
+  double least = 0.0;
+  if (frame.is_holding && is_certain(frame, i, least) && hold_pair(frame, i, least)) return 0.0;
   const PatchPair pair = measure_leaf_pair(frame, node, exact.probe);
   keep_contact(frame, i, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
                {.pair = pair, .nearest = -pair.depth});
@@ -159,9 +155,7 @@ void query_exact(QueryFrame& frame) noexcept {
   const CrossingContext crossing{&frame.object, &frame.scene, frame.pose, front.object_closed,
                                  front.scene_closed};
   ExactQuery exact{frame, crossing_probe(crossing)};
-  const ExactFront& lists = front.exact;
-  frame.is_holding =
-      frame.is_holding && begin_holding(frame, lists.active.size() + lists.incoming.size());
+  frame.is_holding = frame.is_holding && begin_holding(frame);
   measure_active(exact);
   if (frame.is_holding) fill_held(frame, exact.probe);
   traverse_saturated(exact);

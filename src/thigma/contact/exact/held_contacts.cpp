@@ -16,12 +16,15 @@
 namespace thigma::detail {
 namespace {
 
-// Of the distance that is known, times the size of the pair and the tolerance: rounding, and that
-// of measuring in another way than last time.
-constexpr double kMargin = 1e-9;
+// Of the distance that is known, times the size of the bodies and the tolerance: what measuring in
+// another way may find instead, for which vertices count as of a plane a hair of the size off it.
+constexpr double kMargin = 3e-8;
 
 double margin_of(const QueryFrame& frame) noexcept {
-  return kMargin * (frame.query.tolerance + frame.object.radius + frame.scene.radius);
+  constexpr double kRounding = 1e-13;  // of coordinates
+  return kMargin * (frame.query.tolerance + frame.object.radius + frame.scene.radius) +
+         kRounding * (frame.object.center.lpNorm<1>() + frame.scene.center.lpNorm<1>() +
+                      frame.pose.translation.lpNorm<1>());
 }
 
 double distance_of(const Contact& contact) noexcept { return -contact.depth; }
@@ -31,18 +34,18 @@ double farthest(const QueryFrame& frame, const CarriedContact& known) noexcept {
   return (frame.pose.rotation * known.on_b + frame.pose.translation - known.on_a).norm();
 }
 
-// As far as what was found of it last time says.
-Nearness known_nearness(const QueryFrame& frame, std::int32_t i, double& least) noexcept {
+// As far as what was found of them last time says.
+bool is_known_certain(const QueryFrame& frame, std::int32_t i, double& least) noexcept {
   const ContactFront& front = frame.front;
-  if (!has_carried(front.carried, i)) return Nearness::unknown;
+  if (!has_carried(front.carried, i)) return false;
   const CarriedContact& known = carried_of(front.carried, i);
-  if (!known.is_of_hulls) return Nearness::unknown;
+  if (!known.is_of_hulls) return false;
   const double moved = front.travel - known.travel, margin = margin_of(frame);
+  const double apart = kNear * (frame.object.radius + frame.scene.radius);
   least = known.nearest - moved - margin;
-  if (least > frame.query.tolerance) return Nearness::beyond;
-  if (least > std::max(front.carried.nearest, 0.0) &&
+  if (least > std::max(front.carried.nearest, apart) &&
       known.nearest + moved + margin <= frame.query.tolerance)
-    return Nearness::within;
+    return true;
   const FrontNode& node = front.nodes[i];
   const HullView a = bare_hull(frame.object, node_a(frame, node.a));
   const HullView b = bare_hull(frame.scene, node_b(frame, node.b));
@@ -50,69 +53,83 @@ Nearness known_nearness(const QueryFrame& frame, std::int32_t i, double& least) 
   float axis[3];
   for (int k = 0; k < 3; ++k) axis[k] = static_cast<float>(known.normal[k]);
   least = axis_gap(hulls, frame.pose, axis) - margin;
-  if (!(least > 0.0)) return Nearness::unknown;
-  if (least > frame.query.tolerance) return Nearness::beyond;
-  return farthest(frame, known) + margin <= frame.query.tolerance ? Nearness::within
-                                                                  : Nearness::unknown;
+  return least > kNear * (a.radius + b.radius) &&
+         farthest(frame, known) + margin <= frame.query.tolerance;
 }
 
-// No pair is farther than this that is nearest.
-double nearest_at_most(const QueryFrame& frame) noexcept {
-  double most = kInfinity;
-  const ContactFront& front = frame.front;
+// Of the contacts that are not held.
+double nearest_of_others(const QueryFrame& frame) noexcept {
+  const std::vector<HeldPair>& held = frame.front.carried.held;
+  const std::vector<Contact>& contacts = frame.set.contacts;
+  double nearest = kInfinity;
   std::size_t next = 0;
-  const std::vector<HeldPair>& held = front.carried.held;
-  for (std::size_t k = frame.first; k < frame.set.contacts.size(); ++k) {
-    if (next < held.size() && held[next].contact == k) {
-      const HeldPair& pair = held[next++];
-      if (pair.least < most)
-        most = std::min(most, farthest(frame, carried_of(front.carried, pair.node)));
-    } else {
-      most = std::min(most, distance_of(frame.set.contacts[k]));
-    }
+  for (std::size_t k = frame.first; k < contacts.size(); ++k) {
+    if (next < held.size() && held[next].contact == k)
+      ++next;
+    else
+      nearest = std::min(nearest, distance_of(contacts[k]));
   }
-  return most;
+  return nearest;
 }
 
-// Measures a held pair for its contact in the set.
-void measure_held(QueryFrame& frame, const HeldPair& held, const SegmentProbe& probe) noexcept {
-  FrontNode& node = frame.front.nodes[held.node];
-  PatchPair pair = measure_leaf_pair(frame, node, probe);
-  keep_contact(frame, held.node, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
-               {.pair = pair, .nearest = -pair.depth});
-  if (pair.status == PairContactStatus::apart) pair.depth = -frame.query.tolerance;  // by rounding
-  frame.set.contacts[held.contact] = make_contact(frame, node, pair);
+// No held pair that is farther is the nearest of all.
+double nearest_at_most(const QueryFrame& frame, double of_others) noexcept {
+  const CarriedContacts& carried = frame.front.carried;
+  const double margin = margin_of(frame);
+  double most = of_others;
+  for (const HeldPair& pair : carried.held)
+    if (pair.least < most)
+      most = std::min(most, farthest(frame, carried_of(carried, pair.node)) + margin);
+  return most;
 }
 
 void fill(QueryFrame& frame, const HeldPair& held, double nearest) noexcept {
   MeasuredContact moved;
   move_contact(frame, carried_of(frame.front.carried, held.node), moved);
   PatchPair& pair = moved.pair;
-  const double known = std::clamp(-pair.depth, std::max(held.least, nearest),
-                                  std::max(nearest, frame.query.tolerance));
+  const double least = std::max(held.least, nearest);
+  const double most = std::max(least, frame.query.tolerance);
+  const double known = std::clamp(-pair.depth, least, most);
   const Vec3 middle = 0.5 * (pair.witness_a + pair.witness_b);
   pair.depth = -known;
   pair.witness_a = middle - 0.5 * known * pair.normal;
   pair.witness_b = middle + 0.5 * known * pair.normal;
   Contact& contact = frame.set.contacts[held.contact];
   contact = make_contact(frame, frame.front.nodes[held.node], pair);
-  contact.bound = moved.bound;
+  contact.bound = std::min(moved.bound, most - least + margin_of(frame));
+}
+
+// Measures a held pair for its contact in the set. One that measuring finds no contact of, by
+// rounding, stays as it was.
+void measure_held(QueryFrame& frame, const HeldPair& held, const SegmentProbe& probe,
+                  double nearest) noexcept {
+  FrontNode& node = frame.front.nodes[held.node];
+  const PatchPair pair = measure_leaf_pair(frame, node, probe);
+  if (pair.status == PairContactStatus::apart)
+    return fill(frame, held, std::min(nearest, frame.query.tolerance));
+  keep_contact(frame, held.node, hull_view(frame.object, node.a), hull_view(frame.scene, node.b),
+               {.pair = pair, .nearest = -pair.depth});
+  frame.set.contacts[held.contact] = make_contact(frame, node, pair);
 }
 
 }  // namespace
 
 bool may_hold(const QueryFrame& frame) noexcept {
   const ContactQuery& query = frame.query;
-  return query.holds_near && query.measures_hulls && query.resolution.is_exact;
+  return query.holds_near && query.measures_hulls && !query.keep_directions &&
+         query.resolution.is_exact;
 }
 
-bool begin_holding(QueryFrame& frame, std::size_t leaves) noexcept {
+bool begin_holding(QueryFrame& frame) noexcept {
   // Of the way that contacts are carried: measured once, they are carried for some frames.
   constexpr double kSlow = 0.25;
   frame.front.carried.held.clear();
   const bool is_slow =
       frame.front.last_step < kSlow * frame.query.resolution.carry * frame.query.tolerance;
-  return !is_slow && frame.set.contacts.capacity() - frame.set.contacts.size() >= leaves;
+  const ExactFront& lists = frame.front.exact;
+  const std::size_t room = frame.set.contacts.capacity() - frame.set.contacts.size();
+  // What is below saturated nodes is not known.
+  return !is_slow && lists.saturated.empty() && room >= lists.active.size() + lists.incoming.size();
 }
 
 void keep_hulls(QueryFrame& frame, std::int32_t i, const Separation& hulls) noexcept {
@@ -131,17 +148,18 @@ void keep_hulls(QueryFrame& frame, std::int32_t i, const Separation& hulls) noex
   keep_contact(frame, i, a, b, {.pair = pair, .nearest = hulls.distance, .is_of_search = true});
 }
 
-Nearness nearness_of(QueryFrame& frame, std::int32_t i, double& least) noexcept {
-  const Nearness known = known_nearness(frame, i, least);
-  if (known != Nearness::unknown) return known;
+bool is_certain(QueryFrame& frame, std::int32_t i, double& least) noexcept {
+  if (is_known_certain(frame, i, least)) return true;
+  const CarriedContacts& carried = frame.front.carried;
+  if (!has_carried(carried, i) && carried.free.empty()) return false;
   FrontNode& node = frame.front.nodes[i];
   ++frame.set.stats.tests;
   ++frame.set.stats.pair_queries;
   const HullView a = hull_view(frame.object, node.a), b = hull_view(frame.scene, node.b);
   const Separation hulls = closest_points(a, b, frame.pose, kInfinity, node.gjk);
-  if (hulls.status != GjkStatus::separated) return Nearness::unknown;
+  if (hulls.status != GjkStatus::separated) return false;
   keep_hulls(frame, i, hulls);
-  return known_nearness(frame, i, least);
+  return is_known_certain(frame, i, least);
 }
 
 bool hold_pair(QueryFrame& frame, std::int32_t i, double least) noexcept {
@@ -154,15 +172,16 @@ bool hold_pair(QueryFrame& frame, std::int32_t i, double least) noexcept {
 
 void fill_held(QueryFrame& frame, const SegmentProbe& probe) noexcept {
   std::vector<HeldPair>& held = frame.front.carried.held;
-  double nearest = nearest_at_most(frame);
-  const auto first_far = std::partition(held.begin(), held.end(),
-                                        [&](const HeldPair& h) { return h.least <= nearest; });
+  double nearest = nearest_of_others(frame);
+  const double most = nearest_at_most(frame, nearest);
+  const auto first_far =
+      std::partition(held.begin(), held.end(), [&](const HeldPair& h) { return h.least <= most; });
   std::sort(held.begin(), first_far, [](const HeldPair& x, const HeldPair& y) {
     return x.least != y.least ? x.least < y.least : x.contact < y.contact;
   });
   auto next = held.begin();
   for (; next != first_far && next->least <= nearest; ++next) {
-    measure_held(frame, *next, probe);
+    measure_held(frame, *next, probe, nearest);
     nearest = std::min(nearest, distance_of(frame.set.contacts[next->contact]));
   }
   for (; next != held.end(); ++next) fill(frame, *next, nearest);
