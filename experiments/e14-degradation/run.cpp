@@ -148,8 +148,8 @@ TimeVerdict judge(const std::vector<Result>& results, double one_test) {
   return verdict;
 }
 
-/// Times without a budget: the discs hover, jaws of as many triangles bite, led as they are at their
-/// own count.
+/// Times without a budget: the discs hover, jaws of as many triangles bite, led as they are at
+/// their own count.
 void add_ways(const Context& context, const WayStudy& discs, int triangles, Outcome& outcome) {
   Table table = way_table();
   std::vector<Claim> claims = study_ways(context, discs, table);

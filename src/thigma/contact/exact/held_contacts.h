@@ -16,8 +16,8 @@ bool begin_holding(QueryFrame& frame) noexcept;
 /// certain nothing.
 void keep_hulls(QueryFrame& frame, std::int32_t i, const Separation& hulls) noexcept;
 
-/// Whether the hulls of the leaf pair at place i of the front are certain to be apart and within the
-/// tolerance; they are searched where what is known of them does not say.
+/// Whether the hulls of the leaf pair at place i of the front are certain to be apart and within
+/// the tolerance; they are searched where what is known of them does not say.
 /// least  they may be as near as that, where they are [m]
 bool is_certain(QueryFrame& frame, std::int32_t i, double& least) noexcept;
 
