@@ -131,7 +131,12 @@ TEST_F(Gamepad, answers_as_the_kernel_does) {
   EXPECT_EQ(kernel().call("stat", "/dev/input/event0", &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
 
-  const int shaken = open_pad();
+  // The device is there before somebody answers for it.
+  int shaken = -1;
+  ASSERT_TRUE(wait_for([&] {
+    shaken = open_pad();
+    return shaken >= 0;
+  })) << std::strerror(errno);
   ff_effect effect{};
   effect.type = FF_RUMBLE;
   effect.id = -1;
