@@ -8,7 +8,7 @@ namespace {
 ContactSample model(std::uint64_t sequence, std::int32_t changes) {
   ContactSample s;
   s.model.sequence = sequence;
-  s.level_changes = changes;
+  s.pressing_changes = changes;
   return s;
 }
 

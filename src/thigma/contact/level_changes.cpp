@@ -39,9 +39,10 @@ std::int32_t parent(const std::vector<std::int32_t>& parents, std::int32_t node)
   return node >= 0 && at < parents.size() ? parents[at] : -1;
 }
 
-/// Whether a pair above this one, but not itself, is among sorted pairs, and either presses.
-bool has_ancestor(const LevelHistory& history, const std::vector<NodePair>& pairs,
-                  const NodePair& pair) noexcept {
+/// Counts a pair above which, but not itself, one of sorted pairs stands.
+void count_if_below(const LevelHistory& history, const std::vector<NodePair>& pairs,
+                    const NodePair& pair, LevelChanges& changes) noexcept {
+  bool is_below = false, presses = pair.presses;
   const std::vector<std::int32_t>& scene_parents =
       history.scene_parents[static_cast<std::size_t>(pair.body)];
   std::int32_t object = pair.object;
@@ -50,12 +51,17 @@ bool has_ancestor(const LevelHistory& history, const std::vector<NodePair>& pair
     for (int j = 0; j <= kMostSteps && scene >= 0; ++j) {
       const NodePair above{pair.body, object, scene};
       const auto at = i + j > 0 ? std::lower_bound(pairs.begin(), pairs.end(), above) : pairs.end();
-      if (at != pairs.end() && *at == above && (at->presses || pair.presses)) return true;
+      if (at != pairs.end() && *at == above) {
+        is_below = true;
+        presses = presses || at->presses;
+      }
       scene = parent(scene_parents, scene);
     }
     object = parent(history.object_parents, object);
   }
-  return false;
+  if (!is_below) return;
+  ++changes.all;
+  if (presses) ++changes.pressing;
 }
 
 /// What `pairs` has and `others` lacks; both sorted.
@@ -66,15 +72,11 @@ void subtract(const std::vector<NodePair>& pairs, const std::vector<NodePair>& o
                       std::back_inserter(rest));
 }
 
-/// How many of `pairs` stand below one of `others`.
-std::int32_t count_below(const LevelHistory& history, const std::vector<NodePair>& pairs,
-                         const std::vector<NodePair>& others) noexcept {
-  if (others.empty()) return 0;
-  std::int32_t count = 0;
-  for (const NodePair& pair : pairs) {
-    if (has_ancestor(history, others, pair)) ++count;
-  }
-  return count;
+/// Counts those of `pairs` that stand below one of `others`.
+void count_below(const LevelHistory& history, const std::vector<NodePair>& pairs,
+                 const std::vector<NodePair>& others, LevelChanges& changes) noexcept {
+  if (others.empty()) return;
+  for (const NodePair& pair : pairs) count_if_below(history, others, pair, changes);
 }
 
 }  // namespace
@@ -95,7 +97,7 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
   history.gone.reserve(contacts);
 }
 
-std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
+LevelChanges count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
                                  std::span<const Contact> contacts, double tolerance,
                                  LevelHistory& history) noexcept {
   history.now.clear();
@@ -110,11 +112,13 @@ std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const Sc
   subtract(history.last, history.now, history.gone);
   // Refined: what went stands above something that is there; coarsened: below it. What came and
   // stands below what was there and stays, as while both are blended, is refined as well.
-  std::int32_t changes = count_below(history, history.now, history.gone) +
-                         count_below(history, history.gone, history.now);
+  LevelChanges changes;
+  count_below(history, history.now, history.gone, changes);
+  count_below(history, history.gone, history.now, changes);
   std::vector<NodePair>& came = history.gone;
   subtract(history.now, history.last, came);
-  changes += count_below(history, came, history.last) + count_below(history, history.last, came);
+  count_below(history, came, history.last, changes);
+  count_below(history, history.last, came, changes);
   std::swap(history.last, history.now);
   return changes;
 }

@@ -36,20 +36,26 @@ struct LevelHistory {
   std::vector<NodePair> gone;                              // of last, what now lacks
 };
 
+/// How many contacts were refined or coarsened.
+struct LevelChanges {
+  std::int32_t all = 0;
+  std::int32_t pressing = 0;  // that press before or after, where the models are made
+};
+
 /// Thread    [offline]; throws std::bad_alloc.
 void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBody> scene,
                            std::size_t contacts, LevelHistory& history);
 
 /// Pairs that came or went and stand above or below a pair of the other frame, on either side or
-/// both: where a contact was refined or coarsened. Contacts that begin or end do not count, nor do
-/// those that press neither before nor after, where the models are made: queries also report what
-/// their bounds do not rule out.
+/// both: where a contact was refined or coarsened. Contacts that begin or end do not count. Those
+/// that press neither before nor after move no force: queries also report what their bounds do not
+/// rule out.
 ///
 /// contacts  of this frame; those without nodes are left out
 /// tolerance  d: contacts press whose depth is above -d [m]
 /// history   of the same object and scene; becomes that of this frame
 /// Thread    [contact]; no failure; allocates only when contacts outgrow the history.
-std::int32_t count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
+LevelChanges count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
                                  std::span<const Contact> contacts, double tolerance,
                                  LevelHistory& history) noexcept;
 

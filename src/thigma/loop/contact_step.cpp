@@ -422,12 +422,14 @@ void make_model(const ContactWorld& world, const StampedBody& body, ContactScrat
   sample.time = body.time;
   describe_contacts(world, scratch, sample);
   if (world.potential) sample.contacts = areas;
-  sample.level_changes = 0;
+  sample.level_changes = sample.pressing_changes = 0;
   sample.triangles_below = 0.0;
   if (!world.resolution.is_exact && !world.constraints && !world.potential) {
-    sample.level_changes =
+    const LevelChanges changes =
         count_level_changes(*world.object, world.scene, scratch.contacts.contacts,
                             query_tolerance(world), scratch.levels);
+    sample.level_changes = changes.all;
+    sample.pressing_changes = changes.pressing;
     sample.triangles_below = triangles_below(scratch.levels);
   }
   sample.model_digest = model_digest(sample.model);

@@ -90,9 +90,8 @@ struct ContactSample {
   // Of levels of detail; all 0 of an exact query but for the first entry of the counts.
   std::int64_t mandatory_tests = 0;  // of tests, those no budget can leave out
   std::int64_t unrefined = 0;        // contacts left coarser than asked for want of budget
-  std::int32_t level_changes =
-      0;                   // contacts that press and were refined or coarsened since the last frame
-  double bound_max = 0.0;  // of the contacts [m]
+  std::int32_t level_changes = 0;    // contacts that were refined or coarsened since the last frame
+  double bound_max = 0.0;            // of the contacts [m]
   LevelCounts object_levels{}, scene_levels{};
   // Of the constrained response.
   std::int64_t rows = 0;  // found; those of the model are in `model`
@@ -102,6 +101,7 @@ struct ContactSample {
   double travel = 0.0;        // of the object's points, as far as the rows say all [m]
   double look_ahead = 0.0;    // tolerance of the query [m]
   std::int64_t coarse = 0;    // of the contacts, those not of two finest patches: far away
+  std::int32_t pressing_changes = 0;  // of level_changes, those that a force can show; not recorded
   // contacts, by LevelDecision; not recorded
   std::array<std::int32_t, kLevelDeciders> decided_by{};
   // of the original, below a contact, mean of both sides, sum over contacts; 0 of an exact query;

@@ -12,7 +12,7 @@ void note(double& largest, const Vec3& now, const Vec3& before) noexcept {
 }  // namespace
 
 void ForceSteps::observe(const ContactSample& sample) noexcept {
-  known_[sample.model.sequence % kModels] = {sample.model.sequence, sample.level_changes};
+  known_[sample.model.sequence % kModels] = {sample.model.sequence, sample.pressing_changes};
 }
 
 void ForceSteps::observe(const HapticSample& sample) noexcept {
@@ -25,7 +25,7 @@ void ForceSteps::observe(const HapticSample& sample) noexcept {
         sample.model_sequence - std::min<std::uint64_t>(sample.model_sequence, kModels - 1));
     for (std::uint64_t s = first; s <= sample.model_sequence; ++s) {
       const Known& known = known_[s % kModels];
-      has_change = has_change || (known.sequence == s && known.level_changes > 0);
+      has_change = has_change || (known.sequence == s && known.changes > 0);
     }
     if (has_change) ++level_change_frames;
     note(has_change ? contact.level_change : contact.other, sample.contact.force,

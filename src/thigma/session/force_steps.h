@@ -12,8 +12,9 @@ namespace thigma {
 
 /// Largest steps of a force between successive haptic frames [N].
 struct ForceStep {
-  double level_change = 0.0;  // into frames whose model is new and has a contact that changed level
-  double other = 0.0;         // into all other frames
+  double level_change =
+      0.0;  // into frames whose model is new and has a pressing contact that changed level
+  double other = 0.0;  // into all other frames
 };
 
 /// Keeps the largest steps of a session; frames count while the object is held and forces are on.
@@ -30,7 +31,7 @@ struct ForceSteps {
   static constexpr std::size_t kModels = 64;  // more than are ever on the way
   struct Known {
     std::uint64_t sequence = 0;
-    std::int32_t level_changes = 0;
+    std::int32_t changes = 0;  // of contacts that press
   };
   std::array<Known, kModels> known_{};  // by sequence modulo kModels
   HapticSample last_;
