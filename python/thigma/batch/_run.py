@@ -141,7 +141,7 @@ def _on_cluster(
 
     folder = os.fspath(store.folder)
     # Tasks of one key are one to the scheduler, whoever asks: results of another folder are others.
-    where = digest_of([os.path.abspath(folder), limit])[:12]
+    where = digest_of(f"{os.path.abspath(folder)} {limit}")[:12]  # the limit may be infinite
     futures = {
         client.submit(
             _timed, task, folder, limit, key=f"{task.kind}-{task.key}-{where}", pure=False
