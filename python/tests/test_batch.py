@@ -104,7 +104,7 @@ def test_a_part_that_kills_its_workers_is_a_row(two_workers, tmp_path):
                     return
             time.sleep(0.01)
 
-    thread = threading.Thread(target=kill_a_busy_one)
+    thread = threading.Thread(target=kill_a_busy_one, daemon=True)
     thread.start()
     outcome = batch.run(tasks, tmp_path, scheduler=two_workers)
     thread.join()
