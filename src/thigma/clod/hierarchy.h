@@ -96,18 +96,32 @@ struct ClodHierarchy {
   std::vector<std::int32_t> triangle_ids;  // original triangle of each hull triangle
 };
 
-/// The hull of a node without what the surface has of it: all that culling asks. Valid while the
-/// hierarchy lives.
+/// The hull of a node, or of a patch of a level, without what the surface has of it: all that
+/// culling asks. Valid while the hierarchy lives.
 /// Thread    [haptic] [contact].
-inline HullView bare_hull(const ClodHierarchy& hierarchy, const ClodNode& node) noexcept {
+template <class Owner>
+HullView bare_hull(const ClodHierarchy& hierarchy, const Owner& owner) noexcept {
   HullView v;
-  v.vertices = hierarchy.vertices.data() + node.first_vertex;
-  v.vertex_count = node.vertex_count;
-  v.lanes = hierarchy.lanes.data() + node.first_lane;
-  v.lane_count = node.lane_count;
-  v.center = node.center;
-  v.radius = node.radius;
+  v.vertices = hierarchy.vertices.data() + owner.first_vertex;
+  v.vertex_count = owner.vertex_count;
+  v.lanes = hierarchy.lanes.data() + owner.first_lane;
+  v.lane_count = owner.lane_count;
+  v.center = owner.center;
+  v.radius = owner.radius;
   return v;
+}
+
+/// Adds what the surface has of a hull.
+/// Thread    [haptic] [contact].
+inline void add_surface(const ClodHierarchy& hierarchy, const ClodPatch& patch,
+                        HullView& hull) noexcept {
+  hull.faces = hierarchy.faces.data() + patch.first_face;
+  hull.face_count = patch.face_count;
+  hull.edges = hierarchy.edges.data() + patch.first_edge;
+  hull.edge_count = patch.edge_count;
+  hull.triangles = hierarchy.hull_triangles.data() + patch.first_triangle;
+  hull.triangle_count = patch.triangle_count;
+  hull.thickness = patch.thickness;
 }
 
 /// The hull of a node as the pair queries read it. Valid while the hierarchy lives.
@@ -115,16 +129,7 @@ inline HullView bare_hull(const ClodHierarchy& hierarchy, const ClodNode& node) 
 inline HullView hull_view(const ClodHierarchy& hierarchy, std::int32_t node) noexcept {
   const ClodNode& n = hierarchy.nodes[static_cast<std::size_t>(node)];
   HullView v = bare_hull(hierarchy, n);
-  if (n.patch >= 0) {
-    const ClodPatch& p = hierarchy.patches[static_cast<std::size_t>(n.patch)];
-    v.faces = hierarchy.faces.data() + p.first_face;
-    v.face_count = p.face_count;
-    v.edges = hierarchy.edges.data() + p.first_edge;
-    v.edge_count = p.edge_count;
-    v.triangles = hierarchy.hull_triangles.data() + p.first_triangle;
-    v.triangle_count = p.triangle_count;
-    v.thickness = p.thickness;
-  }
+  if (n.patch >= 0) add_surface(hierarchy, hierarchy.patches[static_cast<std::size_t>(n.patch)], v);
   return v;
 }
 
@@ -135,20 +140,8 @@ inline HullView level_surface(const ClodHierarchy& hierarchy, std::int32_t node)
   const std::int32_t contact = hierarchy.nodes[static_cast<std::size_t>(node)].contact;
   if (contact < 0) return hull_view(hierarchy, node);
   const LevelPatch& patch = hierarchy.level_patches[static_cast<std::size_t>(contact)];
-  HullView v;
-  v.vertices = hierarchy.vertices.data() + patch.first_vertex;
-  v.vertex_count = patch.vertex_count;
-  v.lanes = hierarchy.lanes.data() + patch.first_lane;
-  v.lane_count = patch.lane_count;
-  v.center = patch.center;
-  v.radius = patch.radius;
-  v.faces = hierarchy.faces.data() + patch.patch.first_face;
-  v.face_count = patch.patch.face_count;
-  v.edges = hierarchy.edges.data() + patch.patch.first_edge;
-  v.edge_count = patch.patch.edge_count;
-  v.triangles = hierarchy.hull_triangles.data() + patch.patch.first_triangle;
-  v.triangle_count = patch.patch.triangle_count;
-  v.thickness = patch.patch.thickness;
+  HullView v = bare_hull(hierarchy, patch);
+  add_surface(hierarchy, patch.patch, v);
   return v;
 }
 
