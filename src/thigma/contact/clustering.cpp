@@ -190,7 +190,7 @@ void compute_representatives(const ClusterScratch& scratch, std::size_t n, Seeds
 void summarize(std::span<const Contact> contacts, const Seeds& seeds, const ClusterScratch& scratch,
                std::array<ContactCluster, kMaxContactClusters>& out) noexcept {
   struct Moments {
-    double depth = 0.0, plain_depth = 0.0;
+    double depth = 0.0, plain_depth = 0.0, blend = 0.0;
     Vec3 normal = Vec3::Zero(), plain_normal = Vec3::Zero();
   };
   std::array<Moments, kMaxContactClusters> moments;
@@ -204,7 +204,7 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
     moments[k].plain_normal += c.normal;
     ContactCluster& cluster = out[k];
     cluster.weight += w;
-    cluster.blend += c.weight;
+    moments[k].blend += c.weight;
     if (cluster.member_count++ == 0)
       cluster.first_member = cluster.deepest_member = static_cast<std::int32_t>(i);
     if (c.depth > contacts[static_cast<std::size_t>(cluster.deepest_member)].depth) {
@@ -223,6 +223,7 @@ void summarize(std::span<const Contact> contacts, const Seeds& seeds, const Clus
     const double length = std::sqrt(mean.squaredNorm());
     cluster.normal = length > kOpposing ? Vec3(mean / length) : deepest.normal;
     cluster.scene_point = cluster.point - cluster.depth * cluster.normal;
+    cluster.blend = moments[k].blend;
     cluster.body = deepest.body;
     cluster.id = scratch.seed_ids[k];
   }
@@ -307,7 +308,6 @@ void cluster_contacts(std::span<const Contact> contacts, const ContactClusters& 
     compute_representatives(scratch, n, seeds);
   }
   std::array<ContactCluster, kMaxContactClusters> by_seed{};
-  for (ContactCluster& cluster : by_seed) cluster.blend = 0.0;
   summarize(contacts, seeds, scratch, by_seed);
   publish(by_seed, m, scratch, result);
   result.cost = cost(scratch, result);

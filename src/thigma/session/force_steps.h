@@ -12,8 +12,8 @@ namespace thigma {
 
 /// Largest steps of a force between successive haptic frames [N].
 struct ForceStep {
-  double level_change =
-      0.0;  // into frames whose model is new and has a pressing contact that changed level
+  // into frames whose model is new and has a pressing contact that changed level
+  double level_change = 0.0;
   double other = 0.0;  // into all other frames
 };
 

@@ -60,6 +60,23 @@ bool runs_through(const Corners& edges, const Corners& t, double rounding) noexc
   return false;
 }
 
+// Whether the two triangles that pierced each other when they were measured still do. False where
+// that is not certain.
+bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
+                  const TriangleHint& hint) noexcept {
+  constexpr double kRounding = 1e-11;  // of volumes, times the cube of the size
+  if (!hint.meet || hint.a >= a.triangle_count || hint.b >= b.triangle_count) return false;
+  Corners of_a, of_b;
+  const Vec3 offset = a_from_b.rotation * b.center + a_from_b.translation - a.center;
+  for (int k = 0; k < 3; ++k) {
+    of_a[k] = a.vertices[a.triangles[hint.a].corner[k]] - a.center;
+    of_b[k] = a_from_b.rotation * (b.vertices[b.triangles[hint.b].corner[k]] - b.center) + offset;
+  }
+  const double size = a.radius + b.radius;
+  const double rounding = kRounding * size * size * size;
+  return runs_through(of_a, of_b, rounding) || runs_through(of_b, of_a, rounding);
+}
+
 // How far the bodies may move before a pair could be of another kind; 0: not at all. Hulls that are
 // apart have no back.
 double steadiness(const PatchPair& pair, const HullView& a, const HullView& b,
@@ -99,21 +116,6 @@ bool is_same_question(const Resolution& x, const Resolution& y) noexcept {
 }
 
 }  // namespace
-
-bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                  const TriangleHint& hint) noexcept {
-  constexpr double kRounding = 1e-11;  // of volumes, times the cube of the size
-  if (!hint.meet || hint.a >= a.triangle_count || hint.b >= b.triangle_count) return false;
-  Corners of_a, of_b;
-  const Vec3 offset = a_from_b.rotation * b.center + a_from_b.translation - a.center;
-  for (int k = 0; k < 3; ++k) {
-    of_a[k] = a.vertices[a.triangles[hint.a].corner[k]] - a.center;
-    of_b[k] = a_from_b.rotation * (b.vertices[b.triangles[hint.b].corner[k]] - b.center) + offset;
-  }
-  const double size = a.radius + b.radius;
-  const double rounding = kRounding * size * size * size;
-  return runs_through(of_a, of_b, rounding) || runs_through(of_b, of_a, rounding);
-}
 
 void forget_carried(ContactFront& front) noexcept {
   CarriedContacts& carried = front.carried;
@@ -206,6 +208,20 @@ void move_contact(const QueryFrame& frame, const CarriedContact& contact,
   out.bound = contact.bound + 2.0 * moved + kRounding * (frame.object.radius + frame.scene.radius);
   out.nearest = contact.nearest - moved;
   out.decided_by = contact.decided_by;
+}
+
+bool carry_contact(const QueryFrame& frame, const FrontNode& node, std::int32_t i,
+                   MeasuredContact& out) noexcept {
+  const CarriedContacts& carried = frame.front.carried;
+  if (!has_carried(carried, i)) return false;
+  const CarriedContact& contact = carried_of(carried, i);
+  if (frame.front.travel > contact.until) return false;
+  if (contact.is_penetrating &&
+      !still_pierce(level_surface(frame.object, node.a), level_surface(frame.scene, node.b),
+                    frame.pose, node.triangles))
+    return false;
+  move_contact(frame, contact, out);
+  return true;
 }
 
 }  // namespace thigma::detail

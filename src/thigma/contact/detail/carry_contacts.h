@@ -48,24 +48,14 @@ struct MeasuredContact {
 void keep_contact(QueryFrame& frame, std::int32_t i, const HullView& a, const HullView& b,
                   const MeasuredContact& measured) noexcept;
 
-/// That of place i, if the bodies have not gone farther than it is carried; else nullptr. One that
-/// penetrates holds only as long as two triangles pierce each other.
-inline const CarriedContact* due_contact(const QueryFrame& frame, std::int32_t i) noexcept {
-  const CarriedContacts& carried = frame.front.carried;
-  if (!has_carried(carried, i)) return nullptr;
-  const CarriedContact& contact = carried_of(carried, i);
-  return frame.front.travel > contact.until ? nullptr : &contact;
-}
-
-/// Whether the two triangles that pierced each other when a pair was measured still do. False where
-/// that is not certain.
-///
-/// a, b  the patches
-bool still_pierce(const HullView& a, const HullView& b, const RelativePose& a_from_b,
-                  const TriangleHint& hint) noexcept;
-
 /// A contact where it is now, its bound grown by what the bodies may have moved.
 void move_contact(const QueryFrame& frame, const CarriedContact& contact,
                   MeasuredContact& out) noexcept;
+
+/// The same of the contact of place i, a node of the front.
+/// returns  whether there is one that still holds: the bodies have not gone farther than it is
+///          carried, and where it penetrates two triangles still pierce each other
+bool carry_contact(const QueryFrame& frame, const FrontNode& node, std::int32_t i,
+                   MeasuredContact& out) noexcept;
 
 }  // namespace thigma::detail

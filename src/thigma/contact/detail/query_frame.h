@@ -26,6 +26,7 @@ struct QueryFrame {
   std::size_t first;                             // contact of this query in the set
   bool is_full = false;                          // contacts are a heap by now
   bool is_carrying = false, is_holding = false;  // this query does
+  double margin = 0.0;                           // of what is certain of held pairs [m]
 };
 
 inline QueryFrame make_frame(const PlacedHierarchy& object, const PlacedHierarchy& scene,

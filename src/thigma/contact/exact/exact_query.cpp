@@ -21,14 +21,8 @@ struct ExactQuery {
 // Reports the contact that a leaf pair, place i of the front, carries; false: it has to be
 // measured.
 bool report_carried(QueryFrame& frame, const FrontNode& node, std::int32_t i) noexcept {
-  const CarriedContact* due = due_contact(frame, i);
-  if (due == nullptr) return false;
-  if (due->is_penetrating &&
-      !still_pierce(hull_view(frame.object, node.a), hull_view(frame.scene, node.b), frame.pose,
-                    node.triangles))
-    return false;
   MeasuredContact carried;
-  move_contact(frame, *due, carried);
+  if (!carry_contact(frame, node, i, carried)) return false;
   if (-carried.pair.depth > frame.query.tolerance) return false;
   Contact contact = make_contact(frame, node, carried.pair);
   contact.bound = carried.bound;

@@ -40,7 +40,7 @@ bool is_known_certain(const QueryFrame& frame, std::int32_t i, double& least) no
   if (!has_carried(front.carried, i)) return false;
   const CarriedContact& known = carried_of(front.carried, i);
   if (!known.is_of_hulls) return false;
-  const double moved = front.travel - known.travel, margin = margin_of(frame);
+  const double moved = front.travel - known.travel, margin = frame.margin;
   const double apart = kNear * (frame.object.radius + frame.scene.radius);
   least = known.nearest - moved - margin;
   if (least > std::max(front.carried.nearest, apart) &&
@@ -75,11 +75,10 @@ double nearest_of_others(const QueryFrame& frame) noexcept {
 // No held pair that is farther is the nearest of all.
 double nearest_at_most(const QueryFrame& frame, double of_others) noexcept {
   const CarriedContacts& carried = frame.front.carried;
-  const double margin = margin_of(frame);
   double most = of_others;
   for (const HeldPair& pair : carried.held)
     if (pair.least < most)
-      most = std::min(most, farthest(frame, carried_of(carried, pair.node)) + margin);
+      most = std::min(most, farthest(frame, carried_of(carried, pair.node)) + frame.margin);
   return most;
 }
 
@@ -96,7 +95,7 @@ void fill(QueryFrame& frame, const HeldPair& held, double nearest) noexcept {
   pair.witness_b = middle + 0.5 * known * pair.normal;
   Contact& contact = frame.set.contacts[held.contact];
   contact = make_contact(frame, frame.front.nodes[held.node], pair);
-  contact.bound = std::min(moved.bound, most - least + margin_of(frame));
+  contact.bound = std::min(moved.bound, most - least + frame.margin);
 }
 
 // Measures a held pair for its contact in the set. One that measuring finds no contact of, by
@@ -124,6 +123,7 @@ bool begin_holding(QueryFrame& frame) noexcept {
   // Of the way that contacts are carried: measured once, they are carried for some frames.
   constexpr double kSlow = 0.25;
   frame.front.carried.held.clear();
+  frame.margin = margin_of(frame);
   const bool is_slow =
       frame.front.last_step < kSlow * frame.query.resolution.carry * frame.query.tolerance;
   const ExactFront& lists = frame.front.exact;

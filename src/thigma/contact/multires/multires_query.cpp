@@ -33,14 +33,8 @@ LevelPair as_level(const MeasuredContact& contact) noexcept {
 bool report_carried(MultiresQuery& query, const FrontNode& node,
                     const PendingPair& entry) noexcept {
   QueryFrame& frame = query.frame;
-  const CarriedContact* due = due_contact(frame, entry.node);
-  if (due == nullptr) return false;
-  if (due->is_penetrating &&
-      !still_pierce(level_surface(frame.object, node.a), level_surface(frame.scene, node.b),
-                    frame.pose, node.triangles))
-    return false;
   MeasuredContact carried;
-  move_contact(frame, *due, carried);
+  if (!carry_contact(frame, node, entry.node, carried)) return false;
   // Exact contacts are no farther than the tolerance.
   if (is_leaf_pair(frame, node.a, node.b) && -carried.pair.depth > frame.query.tolerance)
     return false;
