@@ -66,11 +66,11 @@ TEST(LevelChanges, NothingChangesWhereContactsStayBeginOrEnd) {
 TEST(LevelChanges, RefiningAndCoarseningOfEitherSideCount) {
   Frames f;
   f.next({touching(kCoarse, kCoarse)});
-  EXPECT_EQ(f.next({touching(kFine, kCoarse), touching(kFine + 1, kCoarse)}) > 0, true);
+  EXPECT_EQ(f.next({touching(kFine, kCoarse), touching(kFine + 1, kCoarse)}), 2);
   EXPECT_EQ(f.next({touching(kFine, kCoarse), touching(kFine + 1, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kFine, kFine + 1), touching(kFine + 1, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kCoarse, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kFine, kFine)}), 0);  // both sides at once
+  EXPECT_EQ(f.next({touching(kFine, kFine + 1), touching(kFine + 1, kCoarse)}), 1);
+  EXPECT_EQ(f.next({touching(kCoarse, kCoarse)}), 2);
+  EXPECT_EQ(f.next({touching(kFine, kFine)}), 1);  // both sides at once
 }
 
 TEST(LevelChanges, OfPressingContactsAreThoseThatPressBeforeOrAfter) {
@@ -98,11 +98,11 @@ TEST(LevelChanges, OfPressingContactsAreThoseThatPressBeforeOrAfter) {
 TEST(LevelChanges, BlendsCountWhereTheyBeginAndWhereTheyEnd) {
   Frames f;
   f.next({touching(kCoarse, kCoarse)});
-  EXPECT_GT(f.next({touching(kCoarse, kCoarse), touching(kFine, kCoarse)}), 0);
+  EXPECT_EQ(f.next({touching(kCoarse, kCoarse), touching(kFine, kCoarse)}), 1);
   EXPECT_EQ(f.next({touching(kCoarse, kCoarse), touching(kFine, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kFine, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kCoarse, kCoarse), touching(kFine, kCoarse)}), 0);
-  EXPECT_GT(f.next({touching(kCoarse, kCoarse)}), 0);
+  EXPECT_EQ(f.next({touching(kFine, kCoarse)}), 1);
+  EXPECT_EQ(f.next({touching(kCoarse, kCoarse), touching(kFine, kCoarse)}), 1);
+  EXPECT_EQ(f.next({touching(kCoarse, kCoarse)}), 1);
 }
 
 }  // namespace

@@ -72,6 +72,19 @@ void subtract(const std::vector<NodePair>& pairs, const std::vector<NodePair>& o
                       std::back_inserter(rest));
 }
 
+/// What is in both, pressing if in either; both sorted.
+void intersect(const std::vector<NodePair>& last, const std::vector<NodePair>& now,
+               std::vector<NodePair>& both) noexcept {
+  both.clear();
+  auto before = last.begin();
+  for (const NodePair& pair : now) {
+    while (before != last.end() && *before < pair) ++before;
+    if (before == last.end() || *before != pair) continue;
+    both.push_back(pair);
+    both.back().presses = pair.presses || before->presses;
+  }
+}
+
 /// Counts those of `pairs` that stand below one of `others`.
 void count_below(const LevelHistory& history, const std::vector<NodePair>& pairs,
                  const std::vector<NodePair>& others, LevelChanges& changes) noexcept {
@@ -95,6 +108,7 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
   history.last.reserve(contacts);
   history.now.reserve(contacts);
   history.gone.reserve(contacts);
+  history.stayed.reserve(contacts);
 }
 
 LevelChanges count_level_changes(const ClodHierarchy& object, std::span<const SceneBody> scene,
@@ -115,10 +129,11 @@ LevelChanges count_level_changes(const ClodHierarchy& object, std::span<const Sc
   LevelChanges changes;
   count_below(history, history.now, history.gone, changes);
   count_below(history, history.gone, history.now, changes);
+  intersect(history.last, history.now, history.stayed);
   std::vector<NodePair>& came = history.gone;
   subtract(history.now, history.last, came);
-  count_below(history, came, history.last, changes);
-  count_below(history, history.last, came, changes);
+  count_below(history, came, history.stayed, changes);
+  count_below(history, history.stayed, came, changes);
   std::swap(history.last, history.now);
   return changes;
 }

@@ -33,7 +33,7 @@ struct LevelHistory {
   std::vector<std::int32_t> object_triangles;              // of the original below each node
   std::vector<std::vector<std::int32_t>> scene_triangles;  // by body
   std::vector<NodePair> last, now;                         // sorted
-  std::vector<NodePair> gone;                              // of last, what now lacks
+  std::vector<NodePair> gone, stayed;                      // of last: what now lacks, and has
 };
 
 /// How many contacts were refined or coarsened.
@@ -47,9 +47,9 @@ void reserve_level_history(const ClodHierarchy& object, std::span<const SceneBod
                            std::size_t contacts, LevelHistory& history);
 
 /// Pairs that came or went and stand above or below a pair of the other frame, on either side or
-/// both: where a contact was refined or coarsened. Contacts that begin or end do not count. Those
-/// that press neither before nor after move no force: queries also report what their bounds do not
-/// rule out.
+/// both: where a contact was refined or coarsened, once for each of the finer pairs. Contacts that
+/// begin or end do not count. Those that press neither before nor after move no force: queries also
+/// report what their bounds do not rule out.
 ///
 /// contacts  of this frame; those without nodes are left out
 /// tolerance  d: contacts press whose depth is above -d [m]
