@@ -28,7 +28,7 @@ Outcome run_fig_3_16(const Context& context) {
   // 0.91 of the quick path, 0.89 of the whole one.
   const Known no_curvature = {
       "as on the jaws: the few contacts of coarse levels pass over the edges of their patches; "
-      "finer thresholds, smaller support areas and the cap hold it",
+      "thresholds of 0.1 % and finer, the one-ring reading of D and the cap hold it",
       "sweep.csv", 0.8};
   return run_profile(
       context,
@@ -41,8 +41,8 @@ Outcome run_fig_3_16(const Context& context) {
        .source_speed_up = "nearly 100",
        .why_no_profile =
            {"at 3 % the ball is felt at levels without dimples, whose surface lies elsewhere by up "
-            "to "
-            "their deviation; the one-ring reading of D, finer thresholds and the 2 % cap hold it",
+            "to their deviation; the one-ring reading of D, the 2 % cap and thresholds of 0.1 % "
+            "and finer hold it",
             "sweep.csv", context.quick ? 0.95 : 0.85},
        .why_no_curvature = context.quick ? Known{} : no_curvature,
        .own_claims = make_claims});
