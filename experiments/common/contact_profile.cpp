@@ -175,15 +175,17 @@ std::vector<Setting> profile_settings(const std::vector<double>& thresholds, dou
   for (const double s0 : thresholds) settings.push_back({name_of(s0), s0, as_in_text(s0)});
   const std::string name = name_of(main);
   Resolution one_ring = as_in_text(main), capped = as_in_text(main), plain = as_in_text(main),
-             least = as_in_text(main);
+             least = as_in_text(main), by_patch = as_in_text(main);
   one_ring.reading = SupportReading::one_ring;
   capped.deviation_cap = 0.02;
   plain.interpolates = false;
   least.area = SupportArea::smaller;
+  by_patch.reading = SupportReading::patch;
   settings.push_back({name + "; one-ring D", main, one_ring});
   settings.push_back({name + "; smaller D", main, least});
   settings.push_back({name + "; cap 2 %", main, capped});
   settings.push_back({name + "; no interpolation", main, plain});
+  settings.push_back({name + "; one D a patch", main, by_patch});
   return settings;
 }
 

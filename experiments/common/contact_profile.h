@@ -18,7 +18,7 @@ struct Setting {
 };
 
 /// Thresholds as in the text, cap off, from exact to the coarsest; then those that differ from it
-/// at `main`: the other reading of D, the cap, without interpolation.
+/// at `main`: other readings of D, the smaller D, the cap, without interpolation.
 std::vector<Setting> profile_settings(const std::vector<double>& thresholds, double main);
 
 /// How alike two force profiles are.

@@ -26,7 +26,8 @@ Outcome run_fig_3_15(const Context& context) {
   using namespace fig_3_15;
   const Known no_profile{
       "the whole motion reaches contacts of levels whose surface lies elsewhere by up to their "
-      "deviation: 0.976; thresholds of 1 % and finer and the one-ring reading of D hold it",
+      "deviation: 0.976; thresholds of 1 % and finer, the one-ring reading of D and one D a "
+      "patch hold it",
       "sweep.csv", 0.95};
   return run_profile(
       context, {.scene = "jaws",
@@ -40,8 +41,8 @@ Outcome run_fig_3_15(const Context& context) {
                 .why_no_curvature =
                     {"the force ripples as contacts of levels pass over the edges of their "
                      "patches and from cluster to cluster: it comes near the bound at s0 = 0.1 % "
-                     "alone; at 2.5 % the 2 % cap and switching without interpolation are better, "
-                     "the one-ring reading of D is not",
+                     "alone; at 2.5 % one D a patch, the 2 % cap and switching without "
+                     "interpolation are better, the one-ring reading of D is not",
                      "sweep.csv", 0.35},
                 .own_claims = make_claims});
 }
