@@ -236,5 +236,15 @@ TEST(BuildClod, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
+TEST(BuildClod, OfOtherShapesIsTheSameWithAnyNumberOfThreads) {
+  for (const TriangleMesh& mesh :
+       {make_hollow_ball(1.0, 0.9, 8), make_sheet(2, 1, 24, 12), make_torus(1.0, 0.1, 60, 12)}) {
+    const std::string alone = format_clod(build_clod_asset(mesh, generous()));
+    ClodParams params = generous();
+    params.threads = 3;
+    EXPECT_TRUE(format_clod(build_clod_asset(mesh, params)) == alone);
+  }
+}
+
 }  // namespace
 }  // namespace thigma

@@ -18,7 +18,7 @@ struct FlipBench : test::SurfaceBench {
   std::array<std::int64_t, kFlipOutcomes> outcomes{};
 
   std::int64_t flip_all() {
-    return flip_reflex_edges(surface, context, {context.guard.limit, 0.0, 0.0}, successor,
+    return flip_reflex_edges(surface, context, {context.scratch.search.limit, 0.0, 0.0}, successor,
                              outcomes);
   }
   std::int64_t count(FlipOutcome outcome) const {

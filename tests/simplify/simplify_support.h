@@ -62,7 +62,8 @@ struct SurfaceBench {
     surface =
         build_patched_surface({mesh, compute_topology(mesh), decompose_surface(mesh)}, 1e-6, 1e-5);
     context.quadric = vertex_quadrics(surface);
-    context.guard = detail::build_deviation_guard(mesh, limit * surface.radius);
+    context.guard = detail::build_deviation_guard(mesh);
+    context.scratch.search.limit = limit * surface.radius;
     successor.resize(surface.patches.size());
     std::iota(successor.begin(), successor.end(), 0);
   }

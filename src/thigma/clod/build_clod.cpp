@@ -98,6 +98,7 @@ ClodHierarchy build_levels(const TriangleMesh& mesh, const ClodParams& params, c
       mesh, topology, {.tolerance = params.contact_tolerance * hierarchy.radius}, params.threads);
   const double supported = process_cpu_seconds();
   SimplifyParams simplify = params.simplify;
+  simplify.threads = params.threads;
   const auto& progress = params.simplify.progress;
   if (progress) simplify.progress = [&](double share) { progress(kShareOfLoop * share); };
   Simplification simplification = simplify_surface(surface, simplify, std::move(support));

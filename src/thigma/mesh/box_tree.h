@@ -19,21 +19,22 @@ class BoxTree {
   void update(std::int32_t leaf, const TreeBox& box);
   void remove(std::int32_t leaf);
 
-  /// Calls visit(leaf) for every leaf whose box meets the given one. visit must not change the
-  /// tree.
+  /// Calls visit(leaf) for every leaf whose box meets the given one. visit must neither change the
+  /// tree nor search it. Several threads may search at once.
   template <class Visit>
   void visit(const TreeBox& box, Visit visit) const {
     if (root_ < 0) return;
-    stack_.assign(1, root_);
-    while (!stack_.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack_.back())];
-      stack_.pop_back();
+    thread_local std::vector<std::int32_t> stack;
+    stack.assign(1, root_);
+    while (!stack.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      stack.pop_back();
       if (!node.box.overlaps(box)) continue;
       if (node.left < 0) {
         visit(node.leaf);
       } else {
-        stack_.push_back(node.right);
-        stack_.push_back(node.left);
+        stack.push_back(node.right);
+        stack.push_back(node.left);
       }
     }
   }
@@ -51,7 +52,6 @@ class BoxTree {
   std::vector<Node> nodes_;
   std::vector<std::int32_t> node_of_leaf_, free_;
   std::int32_t root_ = -1;
-  mutable std::vector<std::int32_t> stack_;  // of one search at a time
 };
 
 }  // namespace thigma

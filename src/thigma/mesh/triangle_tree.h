@@ -16,6 +16,12 @@ struct TreeBox {
   }
 };
 
+/// Makes the first box hold the second.
+inline void extend(TreeBox& box, const TreeBox& other) noexcept {
+  box.min = box.min.cwiseMin(other.min);
+  box.max = box.max.cwiseMax(other.max);
+}
+
 /// A squared distance to a box this many times that to a triangle is larger, however both were
 /// rounded: what is in the box is farther.
 inline constexpr double kFarther = 1.0 + 1e-9;

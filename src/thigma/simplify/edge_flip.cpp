@@ -83,22 +83,24 @@ bool has_good_shape(const PatchedSurface& surface, const CollapseParams& params,
   return true;
 }
 
-bool is_near_original(const PatchedSurface& surface, detail::DeviationGuard& guard,
-                      const Flip& flip) {
+bool is_near_original(const PatchedSurface& surface, CollapseContext& context, const Flip& flip) {
+  const detail::DeviationGuard& guard = context.guard;
+  detail::DeviationSearch& search = context.scratch.search;
   const auto& x = surface.mesh.positions;
   const Vec3 &a = x[idx(flip.quad.a)], &b = x[idx(flip.quad.b)], &c = x[idx(flip.quad.c)],
              &d = x[idx(flip.quad.d)];
   const std::array<std::int32_t, 3> near = {flip.quad.a, flip.quad.b, flip.quad.c};
   for (const std::array<Vec3, 3>& corners : {std::array{a, c, d}, std::array{b, c, d}})
-    if (!detail::is_within_limit(guard, corners, near, detail::count_divisions(guard, corners)))
+    if (!detail::is_within_limit(guard, search, corners, near,
+                                 detail::count_divisions(search.limit, corners)))
       return false;
   const auto one = corners_of(surface, flip.quad.triangle[0]),
              two = corners_of(surface, flip.quad.triangle[1]);
   for (const std::int32_t t : flip.quad.triangle)
     for (std::int32_t v = guard.first_sample[idx(t)]; v >= 0; v = guard.next_sample[idx(v)]) {
       const Vec3& p = guard.original->positions[idx(v)];
-      if (point_triangle_distance(p, one[0], one[1], one[2]) > guard.limit &&
-          point_triangle_distance(p, two[0], two[1], two[2]) > guard.limit)
+      if (point_triangle_distance(p, one[0], one[1], one[2]) > search.limit &&
+          point_triangle_distance(p, two[0], two[1], two[2]) > search.limit)
         return false;
     }
   return true;
@@ -165,7 +167,7 @@ bool is_better(const PatchedSurface& surface, const VolumeGuard& volume, const F
 /// With the corners of the two triangles as they would be.
 FlipOutcome judge(const PatchedSurface& surface, CollapseContext& context, Flip& flip, int& gain) {
   if (!has_good_shape(surface, context.params, flip)) return FlipOutcome::quality;
-  if (!is_near_original(surface, context.guard, flip)) return FlipOutcome::deviation;
+  if (!is_near_original(surface, context, flip)) return FlipOutcome::deviation;
   if (!keeps_within(context.volume, flip.volume)) return FlipOutcome::volume;
   if (detail::count_crossings(surface, flip.quad.triangle) > flip.old_crossings)
     return FlipOutcome::intersection;
@@ -281,7 +283,7 @@ std::int64_t flip_reflex_edges(PatchedSurface& surface, CollapseContext& context
       if (surface.mesh.twin[idx(h)] < h) continue;
       const FlipQuad quad = quad_of(surface.mesh, h);
       const auto& x = surface.mesh.positions;
-      context.guard.limit = limit.of((x[idx(quad.c)] - x[idx(quad.d)]).norm());
+      context.scratch.search.limit = limit.of((x[idx(quad.c)] - x[idx(quad.d)]).norm());
       const FlipOutcome outcome = flip_reflex_edge(surface, context, h, successor);
       ++outcomes[static_cast<std::size_t>(outcome)];
       flipped += outcome == FlipOutcome::flipped;

@@ -32,7 +32,7 @@ inline constexpr std::size_t kFlipOutcomes = 9;
 /// convex, they are one. What is left of the two patches, and the new one, merge with each other
 /// and with their neighbours as far as unions are convex. The tests are those of a collapse.
 ///
-/// context.guard.limit  deviation the new triangles may have [m]
+/// context.scratch.search.limit  deviation the new triangles may have [m]
 /// successor            of each patch: entries of patches that vanish are set to one that took
 ///                      their place
 /// returns              flipped, or why not

@@ -112,10 +112,13 @@ void hand_over_samples(const PatchedSurface& surface, const EdgeStar& star,
   }
 }
 
-void commit(PatchedSurface& surface, CollapseContext& context, const Vec3& p,
-            std::vector<std::int32_t>& successor) {
+}  // namespace
+
+void commit_collapse(PatchedSurface& surface, CollapseContext& context,
+                     std::vector<std::int32_t>& successor) {
   CollapseScratch& scratch = context.scratch;
   const EdgeStar& star = scratch.star;
+  const Vec3 p = scratch.position;
   const Vec3 tail = surface.mesh.positions[idx(star.tail)];
   const Vec3 edge = surface.mesh.positions[idx(star.head)] - tail;
   const double share =
@@ -123,8 +126,8 @@ void commit(PatchedSurface& surface, CollapseContext& context, const Vec3& p,
   context.volume.now += volume_change(scratch.volume, p);
   collapse_edge(surface.mesh, star.halfedge, p, share);
   context.quadric[idx(star.tail)] += context.quadric[idx(star.head)];
-  const std::int32_t near =
-      detail::find_within_limit(context.guard, p, {star.tail, star.head, star.tail});
+  const std::int32_t near = detail::find_within_limit(context.guard, scratch.search, p,
+                                                      {star.tail, star.head, star.tail});
   if (near >= 0) context.guard.near[idx(star.tail)] = near;
   for (const StarTriangle& t : star.triangles) refresh_triangle(surface, t.triangle);
   hand_over_samples(surface, star, context.guard);
@@ -151,20 +154,21 @@ void commit(PatchedSurface& surface, CollapseContext& context, const Vec3& p,
   }
 }
 
+namespace {
+
 /// The relaxed position that goes with a start.
-Vec3 relaxed(const CollapseContext& context, const Vec3& v_hat, double edge) {
-  return detail::clamped(relax(v_hat, context.scratch.ring), v_hat, detail::kReach * edge);
+Vec3 relaxed(const CollapseScratch& scratch, const Vec3& v_hat, double edge) {
+  return detail::clamped(relax(v_hat, scratch.ring), v_hat, detail::kReach * edge);
 }
 
-/// Tries the positions between a start and its relaxed position; commits the one it takes.
-CollapseOutcome try_start(PatchedSurface& surface, CollapseContext& context, const VertexPath& path,
-                          bool& has_begun, std::vector<std::int32_t>& successor) {
-  CollapseScratch& scratch = context.scratch;
+/// Tries the positions between a start and its relaxed position; keeps the one it takes.
+CollapseOutcome try_start(const PatchedSurface& surface, const CollapseContext& context,
+                          const VertexPath& path, bool& has_begun, CollapseScratch& scratch) {
   ConvexPart part{surface, path};
   UnitInterval& interval = part.interval;
   narrow_by_edges(part, scratch.star, scratch.ring);
   if (!interval.is_feasible) return CollapseOutcome::convexity;
-  if (!has_begun) detail::begin_trials(surface, context);
+  if (!has_begun) detail::begin_trials(surface, scratch);
   has_begun = true;
   narrow_by_patches(part, scratch);
   if (!interval.is_feasible) return CollapseOutcome::convexity;
@@ -172,9 +176,9 @@ CollapseOutcome try_start(PatchedSurface& surface, CollapseContext& context, con
   const auto place = [&](double u) { return mix(u, path.start, path.relaxed); };
   const BisectionResult found =
       bisect(interval.low, interval.high, context.params.bisections,
-             [&](double u) { return detail::try_position(surface, context, place(u)); });
+             [&](double u) { return detail::try_position(surface, context, place(u), scratch); });
   if (!found.is_accepted) return scratch.reason;
-  commit(surface, context, place(found.u), successor);
+  scratch.position = place(found.u);
   return CollapseOutcome::collapsed;
 }
 
@@ -201,15 +205,11 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& surface) {
   return quadrics;
 }
 
-CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext& context,
-                                       std::int32_t halfedge,
-                                       std::vector<std::int32_t>& successor) {
-  if (!can_collapse(surface.mesh, halfedge)) return CollapseOutcome::topology;
-  CollapseScratch& scratch = context.scratch;
-  detail::gather_star(surface, halfedge, scratch.star);
-  detail::list_ring(surface, scratch.star, scratch.ring);
-  scratch.volume = detail::volume_plane(surface, scratch.star);
-  const detail::Starts starts = detail::choose_starts(surface, context);
+namespace {
+
+CollapseOutcome find_position(const PatchedSurface& surface, const CollapseContext& context,
+                              CollapseScratch& scratch) {
+  const detail::Starts starts = detail::choose_starts(surface, context, scratch.star);
   const double edge = (surface.mesh.positions[idx(scratch.star.head)] -
                        surface.mesh.positions[idx(scratch.star.tail)])
                           .norm();
@@ -217,29 +217,53 @@ CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext&
   CollapseOutcome reason = CollapseOutcome::convexity;
   const auto succeeds = [&](const Vec3& v_hat, const Vec3& v_tilde) {
     const CollapseOutcome outcome =
-        try_start(surface, context, {v_hat, v_tilde}, has_begun, successor);
+        try_start(surface, context, {v_hat, v_tilde}, has_begun, scratch);
     // What stopped a trial tells more than that another start had none.
     if (outcome != CollapseOutcome::convexity) reason = outcome;
     return outcome == CollapseOutcome::collapsed;
   };
   const bool moves = starts.may_move && context.form.is_relaxed;
   const auto succeeds_from = [&](const Vec3& v_hat) {
-    return succeeds(v_hat, moves ? relaxed(context, v_hat, edge) : v_hat);
+    return succeeds(v_hat, moves ? relaxed(scratch, v_hat, edge) : v_hat);
   };
   for (int i = 0; i < starts.count; ++i) {
     const Vec3& v_hat = starts.position[static_cast<std::size_t>(i)];
     if (i == 0 && moves && context.form.keeps_volume) {
-      const Vec3 v_tilde = relaxed(context, v_hat, edge);
+      const Vec3 v_tilde = relaxed(scratch, v_hat, edge);
       const Vec3 kept = detail::with_volume(scratch.volume, v_tilde, edge);
       if (kept != v_tilde && succeeds(v_hat, kept)) return CollapseOutcome::collapsed;
     }
     if (succeeds_from(v_hat)) return CollapseOutcome::collapsed;
   }
   if (!context.form.seeks_convex_start || !starts.may_move) return reason;
-  if (!has_begun) detail::begin_trials(surface, context);
+  if (!has_begun) detail::begin_trials(surface, scratch);
   has_begun = true;
-  const std::optional<Vec3> best = detail::best_convex_start(surface, context);
+  const std::optional<Vec3> best = detail::best_convex_start(surface, context, scratch);
   return best && succeeds_from(*best) ? CollapseOutcome::collapsed : reason;
+}
+
+}  // namespace
+
+CollapseOutcome find_collapse(const PatchedSurface& surface, const CollapseContext& context,
+                              std::int32_t halfedge, CollapseScratch& scratch) {
+  scratch.answers.clear();
+  scratch.tried.clear();
+  scratch.outcome = CollapseOutcome::topology;
+  if (halfedge < 0 || !can_collapse(surface.mesh, halfedge)) return scratch.outcome;
+  detail::gather_star(surface, halfedge, scratch.star);
+  detail::list_ring(surface, scratch.star, scratch.ring);
+  detail::list_rim_boxes(surface, scratch.star, scratch.seen);
+  scratch.volume = detail::volume_plane(surface, scratch.star);
+  scratch.outcome = find_position(surface, context, scratch);
+  return scratch.outcome;
+}
+
+CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext& context,
+                                       std::int32_t halfedge,
+                                       std::vector<std::int32_t>& successor) {
+  const CollapseOutcome outcome = find_collapse(surface, context, halfedge, context.scratch);
+  if (outcome == CollapseOutcome::collapsed) commit_collapse(surface, context, successor);
+  return outcome;
 }
 
 }  // namespace thigma

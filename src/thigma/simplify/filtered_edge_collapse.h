@@ -56,25 +56,42 @@ inline bool keeps_within(const VolumeGuard& guard, double change) {
          std::max(guard.limit, std::fabs(guard.now - guard.original));
 }
 
-/// Scratch of one attempt, reused so that attempts do not allocate.
-struct CollapseScratch {
+/// What the volume guard was asked while a position was sought, and what it said.
+struct VolumeAnswer {
+  double change = 0.0;  // [m^3]
+  bool is_kept = false;
+};
+
+/// What an attempt found: where the vertex goes, and what its patches are then.
+struct CollapseFinding {
+  CollapseOutcome outcome = CollapseOutcome::topology;
+  Vec3 position = Vec3::Zero();  // of the vertex, where it can go [m]
   detail::EdgeStar star;
-  std::vector<RingTriangle> ring;
   VolumePlane volume;
+  std::vector<std::vector<std::int32_t>> patch_vertices;  // of the patches of the star, afterwards
+  std::vector<std::vector<HalfSpace>> half_spaces;
+  std::vector<TreeBox> patch_box;
+  Vec3 hulls_at = Vec3::Zero();  // position of the vertex for which half_spaces are
+  bool has_all_hulls = false;
+  std::vector<TreeBox> seen;   // beside the patches of the star, triangles that none of these meets
+                               // were not looked at,
+  std::vector<TreeBox> tried;  // nor hulls that none of these meets
+  std::vector<VolumeAnswer> answers;  // of the volume guard, in order
+};
+
+/// Scratch of one attempt, reused so that attempts do not allocate. Each thread has its own.
+struct CollapseScratch : CollapseFinding {
+  std::vector<RingTriangle> ring;
+  detail::DeviationSearch search;
   std::vector<LinearConstraint> constraints;
   std::vector<Vec3> new_normal;  // of the triangles of the star, at the position on trial
   std::vector<double> new_height, old_quality;
   std::vector<TreeBox> new_box;
-  std::vector<int> divisions;                             // of the new triangles' edges, by samples
-  std::vector<std::vector<std::int32_t>> patch_vertices;  // of the patches of the star, afterwards
-  std::vector<std::vector<HalfSpace>> half_spaces;
-  std::vector<TreeBox> patch_box;
+  std::vector<int> divisions;      // of the new triangles' edges, by samples
   std::vector<std::int32_t> mark;  // of each triangle: epoch when in the star, -epoch when removed
   std::vector<std::int32_t> patch_mark;  // of each patch: epoch when it is of the star
   std::int32_t epoch = 0;
   Quickhull hull;
-  Vec3 hulls_at = Vec3::Zero();  // position of the vertex for which half_spaces are
-  bool has_all_hulls = false;
   int old_crossings = -1, old_folds = -1;  // of the star before, -1 not yet counted
   double worst_old_quality = 0.0;
   CollapseOutcome reason = CollapseOutcome::collapsed;  // of the last refusal
@@ -95,7 +112,8 @@ struct CollapseContext {
 /// Thread    [offline].
 std::vector<Quadric> vertex_quadrics(const PatchedSurface& surface);
 
-/// Tries to collapse an edge; a refused attempt leaves everything as it was.
+/// Looks for where the vertex of a collapsed edge may go, within scratch.search.limit of the
+/// original. Changes nothing but the scratch: threads may look at the same time.
 ///
 /// The start is the point of least quadric error; where no position near it keeps the patches
 /// convex, the ends of the edge, and then the position of least quadric error that does. On a
@@ -105,9 +123,22 @@ std::vector<Quadric> vertex_quadrics(const PatchedSurface& surface);
 /// and back until no triangle becomes a sliver or turns over, the surface stays near the original,
 /// crosses itself no more than before, and no hull is entered.
 ///
-/// successor  of each patch: entries of patches that vanish are set to a patch beside them
-/// returns    collapsed, or the last reason; after a collapse context.scratch.star is what it was
+/// returns    collapsed where it can be, or the last reason
 /// Thread     [offline]; deterministic. Source Sec. 3.3.4, Eqs. 3.2-3.4.
+/// halfedge   -1: refused for topology
+CollapseOutcome find_collapse(const PatchedSurface& surface, const CollapseContext& context,
+                              std::int32_t halfedge, CollapseScratch& scratch);
+
+/// Collapses the edge of context.scratch.star as was found there; nothing that was seen has changed
+/// since.
+///
+/// successor  of each patch: entries of patches that vanish are set to a patch beside them
+/// Thread     [offline]; deterministic.
+void commit_collapse(PatchedSurface& surface, CollapseContext& context,
+                     std::vector<std::int32_t>& successor);
+
+/// Both, one after the other; a refused attempt leaves everything as it was. After a collapse
+/// context.scratch.star is what it was.
 CollapseOutcome filtered_edge_collapse(PatchedSurface& surface, CollapseContext& context,
                                        std::int32_t halfedge, std::vector<std::int32_t>& successor);
 

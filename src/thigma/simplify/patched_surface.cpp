@@ -119,26 +119,30 @@ void refresh_triangle(PatchedSurface& surface, std::int32_t t) {
   surface.height[idx(t)] = has_area ? length / std::sqrt(longest2) : 0.0;
 }
 
+void list_half_spaces_of(const PatchedSurface& surface, std::span<const Vec3> points,
+                         Quickhull& hull, std::vector<HalfSpace>& half_spaces, TreeBox& box) {
+  points = points.first(std::min<std::size_t>(points.size(), kMaxHullVertices));
+  box = {points[0], points[0]};
+  for (const Vec3& p : points.subspan(1)) {
+    box.min = box.min.cwiseMin(p);
+    box.max = box.max.cwiseMax(p);
+  }
+  half_spaces.clear();
+  if (points.size() < 4) return;
+  start_hull(hull, points, std::max(1e-10, surface.flat / (box.max - box.min).norm()));
+  if (hull.dimension < 3) return;
+  complete_hull(hull);
+  list_half_spaces(hull, surface.inset, half_spaces);
+  for (HalfSpace& h : half_spaces) h.offset = h.offset / hull.scale + h.normal.dot(hull.origin);
+}
+
 void list_patch_half_spaces(const PatchedSurface& surface,
                             const std::vector<std::int32_t>& vertices, Quickhull& hull,
                             std::vector<HalfSpace>& half_spaces, TreeBox& box) {
   std::array<Vec3, kMaxHullVertices> points;
   const std::size_t count = std::min(vertices.size(), points.size());
-  points[0] = surface.mesh.positions[idx(vertices[0])];
   for (std::size_t i = 0; i < count; ++i) points[i] = surface.mesh.positions[idx(vertices[i])];
-  box = {points[0], points[0]};
-  for (std::size_t i = 1; i < count; ++i) {
-    box.min = box.min.cwiseMin(points[i]);
-    box.max = box.max.cwiseMax(points[i]);
-  }
-  half_spaces.clear();
-  if (count < 4) return;
-  start_hull(hull, {points.data(), count},
-             std::max(1e-10, surface.flat / (box.max - box.min).norm()));
-  if (hull.dimension < 3) return;
-  complete_hull(hull);
-  list_half_spaces(hull, surface.inset, half_spaces);
-  for (HalfSpace& h : half_spaces) h.offset = h.offset / hull.scale + h.normal.dot(hull.origin);
+  list_half_spaces_of(surface, {points.data(), count}, hull, half_spaces, box);
 }
 
 bool intrudes(const PatchedSurface& surface, std::int32_t t,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "thigma/convex/clip.h"
@@ -81,6 +82,10 @@ void refresh_triangle(PatchedSurface& surface, std::int32_t t);
 void list_patch_half_spaces(const PatchedSurface& surface,
                             const std::vector<std::int32_t>& vertices, Quickhull& hull,
                             std::vector<HalfSpace>& half_spaces, TreeBox& box);
+
+/// The same of points; one at least, more than a patch may have are left out.
+void list_half_spaces_of(const PatchedSurface& surface, std::span<const Vec3> points,
+                         Quickhull& hull, std::vector<HalfSpace>& half_spaces, TreeBox& box);
 
 /// Whether the triangle's present position reaches into the half-spaces; none are never reached.
 bool intrudes(const PatchedSurface& surface, std::int32_t t,

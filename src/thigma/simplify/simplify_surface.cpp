@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 #include "thigma/core/index.h"
 #include "thigma/mesh/measure.h"
+#include "thigma/simplify/detail/collapse_queue.h"
 #include "thigma/simplify/edge_flip.h"
 #include "thigma/simplify/level_spacing.h"
 #include "thigma/simplify/resolution.h"
@@ -17,24 +17,12 @@
 namespace thigma {
 namespace {
 
-/// An edge that may be tried. Stale once either end has changed since.
-struct Candidate {
-  double length;
-  std::int32_t a, b;
-  std::int32_t version;  // sum of the versions of its ends
-  bool operator>(const Candidate& other) const {
-    if (length != other.length) return length > other.length;
-    return a != other.a ? a > other.a : b > other.b;
-  }
-};
-
 struct Loop {
   PatchedSurface surface;
   CollapseContext context;
   const SimplifyParams& params;
   Simplification result;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue = {};
-  std::vector<std::int32_t> version = {};     // of each vertex; only ever grows
+  detail::CollapseQueue queue;
   std::vector<Vec3> vertex_normal = {};       // sum of the unit normals around it
   std::vector<std::int32_t> successor = {};   // of each patch: itself while it lives
   std::vector<std::int32_t> last_level = {};  // patches of the level kept last, by their number now
@@ -80,8 +68,8 @@ void push(Loop& loop, std::int32_t a, std::int32_t b) {
   const double length = projected_length(m.positions[idx(b)] - m.positions[idx(a)],
                                          loop.vertex_normal[idx(a)] + loop.vertex_normal[idx(b)]);
   if (length > loop.longest_tried) return;
-  loop.queue.push(
-      {length, std::min(a, b), std::max(a, b), loop.version[idx(a)] + loop.version[idx(b)]});
+  loop.queue.waiting.push({length, std::min(a, b), std::max(a, b),
+                           loop.queue.version[idx(a)] + loop.queue.version[idx(b)]});
 }
 
 void push_all(Loop& loop) {
@@ -102,10 +90,10 @@ void renew_candidates(Loop& loop, std::int32_t v) {
     if (m.twin[idx(last)] < 0) ring.push_back(tail_of(m, last));
   });
   update_normal(loop, v);
-  ++loop.version[idx(v)];
+  ++loop.queue.version[idx(v)];
   for (const std::int32_t w : ring) {
     update_normal(loop, w);
-    ++loop.version[idx(w)];
+    ++loop.queue.version[idx(w)];
   }
   const auto push_once = [&](std::int32_t w, std::int32_t other) {  // not from both ends
     if (other > w || std::find(ring.begin(), ring.end(), other) == ring.end()) push(loop, w, other);
@@ -189,29 +177,34 @@ detail::DeviationLimit deviation_limit(const Loop& loop, const Stage& stage, dou
           p.farthest_deviation * radius};
 }
 
-void attempt(Loop& loop, const Stage& stage, const Candidate& candidate) {
+/// Collapses the edge of a candidate, and merges the patches around it that can be.
+void collapse(Loop& loop, const detail::Candidate& candidate) {
   PatchedSurface& surface = loop.surface;
-  loop.context.guard.limit = deviation_limit(loop, stage, candidate.length).of(candidate.length);
-  const std::int32_t halfedge = find_halfedge(surface.mesh, candidate.a, candidate.b);
-  if (halfedge < 0) return;
+  const detail::EdgeStar& star = loop.context.scratch.star;
   const std::int32_t patches = surface.patch_count;
-  const CollapseOutcome outcome =
-      filtered_edge_collapse(surface, loop.context, halfedge, loop.successor);
-  ++loop.result.outcomes[static_cast<std::size_t>(outcome)];
-  if (outcome != CollapseOutcome::collapsed) return;
+  detail::SurfaceChange change{star.patches, {}, surface.box[idx(star.triangles[0].triangle)]};
+  const auto note = [&] {
+    for (const std::int32_t patch : star.patches)
+      if (!surface.patches[idx(patch)].triangles.empty())
+        change.hulls.push_back(surface.patches[idx(patch)].box);
+    extend_by_star(surface, star, change.triangles);
+  };
+  note();
+  commit_collapse(surface, loop.context, loop.successor);
   loop.longest = std::max(loop.longest, candidate.length);
   loop.result.vanished += patches - surface.patch_count;
-  const detail::EdgeStar& star = loop.context.scratch.star;
   if (!loop.support.empty()) {
     auto& kept = loop.support[idx(star.tail)];
     const auto& gone = loop.support[idx(star.head)];
     kept = {std::min(kept[0], gone[0]), std::min(kept[1], gone[1])};
   }
-  ++loop.version[idx(star.head)];
+  ++loop.queue.version[idx(star.head)];
   renew_candidates(loop, star.tail);
   for (const std::int32_t patch : star.patches)
     if (!surface.patches[idx(patch)].triangles.empty())
       loop.result.merges += merge_patch(surface, patch, loop.context.scratch.hull, loop.successor);
+  note();
+  note_change(loop.queue, surface, change);
 }
 
 /// Every collapse takes about the same time: the share of the triangles gone, by hundredths.
@@ -251,18 +244,21 @@ void run_stage(Loop& loop, const Stage& stage) {
   const double share = stage.is_draft ? kDraftShare : kLevelShare;
   loop.longest_tried = stage.limits.longest_edge * loop.surface.radius;
   push_all(loop);
-  while (!loop.queue.empty() && (stage.is_draft || has_many_patches(loop))) {
-    const Candidate candidate = loop.queue.top();
-    loop.queue.pop();
-    if (candidate.version != loop.version[idx(candidate.a)] + loop.version[idx(candidate.b)])
-      continue;
-    attempt(loop, stage, candidate);
+  const detail::LimitOfLength limit_of = [&](double length) {
+    return deviation_limit(loop, stage, length).of(length);
+  };
+  while (stage.is_draft || has_many_patches(loop)) {
+    const auto candidate = take_attempt(loop.queue, loop.surface, loop.context, limit_of);
+    if (!candidate) break;
+    const CollapseOutcome outcome = loop.context.scratch.outcome;
+    ++loop.result.outcomes[static_cast<std::size_t>(outcome)];
+    if (outcome == CollapseOutcome::collapsed) collapse(loop, *candidate);
     report_progress(loop);
     if (loop.surface.patch_count <= share * loop.kept ||
         (stage.is_draft && loop.surface.mesh.triangle_count <= share * loop.kept_triangles))
       keep_level(loop);
   }
-  loop.queue = {};
+  clear(loop.queue);
 }
 
 /// Where nothing more can collapse, flips edges and tries again, as long as that changes something.
@@ -275,10 +271,10 @@ void flip_and_go_on(Loop& loop, const Stage& stage) {
                           loop.successor, loop.result.flips);
     loop.result.merges += before - surface.patch_count;
     if (flipped == 0) return;
-    for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.version.size()); ++v)
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(loop.queue.version.size()); ++v)
       if (surface.mesh.outgoing[idx(v)] >= 0) {
         update_normal(loop, v);
-        ++loop.version[idx(v)];
+        ++loop.queue.version[idx(v)];
       }
     run_stage(loop, stage);
   }
@@ -336,7 +332,8 @@ Simplification simplify_in_form(const DecomposedSurface& decomposed, const Simpl
                                   params.protrusion_tolerance, attributes),
             {},
             params,
-            {}};
+            {},
+            detail::CollapseQueue(params.threads)};
   PatchedSurface& surface = loop.surface;
   loop.result.levels.push_back(first_level(mesh, decomposed.patches, support, attributes));
   loop.result.convexity_tolerance = surface.flat;
@@ -344,10 +341,10 @@ Simplification simplify_in_form(const DecomposedSurface& decomposed, const Simpl
   loop.context.params = params.collapse;
   loop.context.form = form;
   loop.context.quadric = vertex_quadrics(surface);
-  loop.context.guard = build_deviation_guard(mesh, params.deviation_limit * surface.radius);
+  loop.context.guard = build_deviation_guard(mesh);
   loop.context.volume = guard_volume(mesh, surface.radius, params.volume_limit);
   loop.support = std::move(support);
-  loop.version.assign(mesh.positions.size(), 0);
+  loop.queue.version.assign(mesh.positions.size(), 0);
   loop.vertex_normal.resize(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (surface.mesh.outgoing[v] >= 0) update_normal(loop, static_cast<std::int32_t>(v));

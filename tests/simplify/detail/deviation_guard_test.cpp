@@ -24,10 +24,11 @@ TEST(DeviationGuard, FindsATriangleWithinTheLimitWhereThereIsOne) {
   Random random(3);
   int found = 0;
   for (const double limit : {0.01, 0.1, 0.4}) {
-    DeviationGuard guard = build_deviation_guard(mesh, limit);
+    const DeviationGuard guard = build_deviation_guard(mesh);
+    DeviationSearch search{limit, {}};
     for (int i = 0; i < 300; ++i) {
       const Vec3 p = random.in_cube(1.3);
-      const std::int32_t t = find_within_limit(guard, p, {0, 1, 2});
+      const std::int32_t t = find_within_limit(guard, search, p, {0, 1, 2});
       EXPECT_EQ(t >= 0, distance_by_loop(mesh, p) <= limit);
       if (t < 0) continue;
       ++found;
@@ -55,16 +56,19 @@ TEST(DeviationGuard, TestsEverySampleOfATriangle) {
   Random random(5);
   int near = 0;
   for (const double limit : {0.05, 0.2}) {
-    DeviationGuard guard = build_deviation_guard(mesh, limit);
+    const DeviationGuard guard = build_deviation_guard(mesh);
+    DeviationSearch search{limit, {}};
     for (int i = 0; i < 300; ++i) {
       const auto& v = mesh.triangles[idx(i)];
       std::array<Vec3, 3> c;
       for (std::size_t k = 0; k < 3; ++k)
         c[k] = mesh.positions[idx(v[k])] + random.uniform(0.0, 2.0 * limit) * random.in_cube(1.3);
-      const int n = count_divisions(guard, c);
-      const bool is_near = is_within_limit(guard, c, v, n);
+      const int n = count_divisions(limit, c);
+      const bool is_near = is_within_limit(guard, search, c, v, n);
       EXPECT_EQ(is_near, is_near_by_loop(mesh, c, n, limit));
-      if (is_near) EXPECT_TRUE(is_within_limit(guard, c, v, n, false));
+      if (is_near) {
+        EXPECT_TRUE(is_within_limit(guard, search, c, v, n, false));
+      }
       near += is_near;
     }
   }
@@ -74,18 +78,20 @@ TEST(DeviationGuard, TestsEverySampleOfATriangle) {
 
 TEST(DeviationGuard, LeavesOutTheSamplesOfTheLastEdge) {
   const TriangleMesh sheet = make_sheet(2, 2, 4, 4);
-  DeviationGuard guard = build_deviation_guard(sheet, 0.01);
+  const DeviationGuard guard = build_deviation_guard(sheet);
+  DeviationSearch search{0.01, {}};
   // Only the edge from the last corner to the first leaves the sheet.
   const Vec3 inside = 0.5 * sheet.positions[0] + 0.5 * sheet.positions[12];
   const std::array<Vec3, 3> c = {inside + Vec3(0, 0, 0.009), inside, inside + Vec3(0, 0, 0.009)};
-  EXPECT_EQ(count_divisions(guard, c), 2);
-  EXPECT_TRUE(is_within_limit(guard, c, {0, 0, 0}, 2));
+  EXPECT_EQ(count_divisions(0.01, c), 2);
+  EXPECT_TRUE(is_within_limit(guard, search, c, {0, 0, 0}, 2));
   const Vec3 apart = inside + Vec3(0, 0, 0.019);
   const std::array<Vec3, 3> far = {apart, inside, inside};
-  EXPECT_TRUE(is_within_limit(guard, far, {0, 0, 0}, 2)) << "the middle is within the limit";
-  EXPECT_FALSE(is_within_limit(guard, {apart, inside, apart}, {0, 0, 0}, 2));
-  EXPECT_TRUE(
-      is_within_limit(guard, {apart, inside - Vec3(0, 0, 0.019), apart}, {0, 0, 0}, 2, false));
+  EXPECT_TRUE(is_within_limit(guard, search, far, {0, 0, 0}, 2))
+      << "the middle is within the limit";
+  EXPECT_FALSE(is_within_limit(guard, search, {apart, inside, apart}, {0, 0, 0}, 2));
+  EXPECT_TRUE(is_within_limit(guard, search, {apart, inside - Vec3(0, 0, 0.019), apart}, {0, 0, 0},
+                              2, false));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ template <class Visit>
 void visit_simplify(const SimplifyParams& params, Visit&& visit) {
   const auto& [stages, coarsest_share, deviation_limit, deviation_early, farthest_deviation,
                volume_limit, convexity_tolerance, protrusion_tolerance, last_level_share, collapse,
-               progress] = params;
+               threads, progress] = params;
+  static_cast<void>(threads);   // the same bits on any number
   static_cast<void>(progress);  // changes nothing of what is built
   for (const SimplifyStage& stage : stages) {
     const auto& [longest_edge, deviation_share] = stage;

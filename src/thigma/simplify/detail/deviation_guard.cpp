@@ -9,41 +9,42 @@
 namespace thigma::detail {
 namespace {
 
-bool is_within(const DeviationGuard& guard, const Vec3& p, std::int32_t t) {
+bool is_within(const DeviationGuard& guard, double limit, const Vec3& p, std::int32_t t) {
   const auto& v = guard.original->triangles[idx(t)];
   const auto& x = guard.original->positions;
   // Fine triangles are smaller than the limit: where a corner is near enough, so is the triangle.
-  const double limit2 = guard.limit * guard.limit;
+  const double limit2 = limit * limit;
   if (squared_distance(guard.tree.boxes[idx(t)], p) > limit2) return false;
   for (const std::int32_t corner : v)
     if ((p - x[idx(corner)]).squaredNorm() <= limit2) return true;
-  return point_triangle_distance(p, x[idx(v[0])], x[idx(v[1])], x[idx(v[2])]) <= guard.limit;
+  return point_triangle_distance(p, x[idx(v[0])], x[idx(v[1])], x[idx(v[2])]) <= limit;
 }
 
 /// A triangle within the limit of p, -1 for none. Of two branches the nearer is searched first.
-std::int32_t search(DeviationGuard& guard, const Vec3& p) {
-  const double limit2 = guard.limit * guard.limit;
+std::int32_t find_by_tree(const DeviationGuard& guard, DeviationSearch& search, const Vec3& p) {
+  const double limit2 = search.limit * search.limit;
   const auto distance2 = [&](std::int32_t node) {
     return squared_distance(guard.tree.nodes[idx(node)].box, p);
   };
   if (distance2(0) > limit2) return -1;
-  guard.stack.assign(1, 0);
-  while (!guard.stack.empty()) {
-    const std::int32_t index = guard.stack.back();
-    guard.stack.pop_back();
+  search.stack.assign(1, 0);
+  while (!search.stack.empty()) {
+    const std::int32_t index = search.stack.back();
+    search.stack.pop_back();
     const TreeNode& node = guard.tree.nodes[idx(index)];
     if (node.count == 0) {
       const std::int32_t left = index + 1;
       const double to_left = distance2(left), to_right = distance2(node.right);
       const bool is_left_nearer = to_left <= to_right;
       if (std::max(to_left, to_right) <= limit2)
-        guard.stack.push_back(is_left_nearer ? node.right : left);
+        search.stack.push_back(is_left_nearer ? node.right : left);
       if (std::min(to_left, to_right) <= limit2)
-        guard.stack.push_back(is_left_nearer ? left : node.right);
+        search.stack.push_back(is_left_nearer ? left : node.right);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-      if (is_within(guard, p, guard.tree.order[idx(i)])) return guard.tree.order[idx(i)];
+      if (is_within(guard, search.limit, p, guard.tree.order[idx(i)]))
+        return guard.tree.order[idx(i)];
   }
   return -1;
 }
@@ -53,10 +54,9 @@ constexpr int kMostDivisions = 32;
 
 }  // namespace
 
-DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit) {
+DeviationGuard build_deviation_guard(const TriangleMesh& original) {
   DeviationGuard guard;
   guard.original = &original;
-  guard.limit = limit;
   std::vector<std::int32_t> all(original.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   guard.tree = build_triangle_tree(original, std::move(all));
@@ -77,32 +77,33 @@ DeviationGuard build_deviation_guard(const TriangleMesh& original, double limit)
   return guard;
 }
 
-std::int32_t find_within_limit(DeviationGuard& guard, const Vec3& p,
+std::int32_t find_within_limit(const DeviationGuard& guard, DeviationSearch& search, const Vec3& p,
                                const std::array<std::int32_t, 3>& vertices) {
   for (const std::int32_t v : vertices)
-    if (is_within(guard, p, guard.near[idx(v)])) return guard.near[idx(v)];
-  return search(guard, p);
+    if (is_within(guard, search.limit, p, guard.near[idx(v)])) return guard.near[idx(v)];
+  return find_by_tree(guard, search, p);
 }
 
-int count_divisions(const DeviationGuard& guard, const std::array<Vec3, 3>& corners) {
+int count_divisions(double limit, const std::array<Vec3, 3>& corners) {
   const auto& [p, a, b] = corners;
   const double longest2 =
       std::max({(a - p).squaredNorm(), (b - p).squaredNorm(), (b - a).squaredNorm()});
-  const double wanted = std::sqrt(longest2) / (kSampleSpacing * guard.limit);
+  const double wanted = std::sqrt(longest2) / (kSampleSpacing * limit);
   return wanted < kMostDivisions ? std::max(2, static_cast<int>(std::ceil(wanted)))
                                  : kMostDivisions;
 }
 
-bool is_within_limit(DeviationGuard& guard, const std::array<Vec3, 3>& corners,
-                     const std::array<std::int32_t, 3>& near, int divisions, bool has_last_edge) {
+bool is_within_limit(const DeviationGuard& guard, DeviationSearch& search,
+                     const std::array<Vec3, 3>& corners, const std::array<std::int32_t, 3>& near,
+                     int divisions, bool has_last_edge) {
   const auto& [p, a, b] = corners;
   const int n = divisions;
   std::int32_t last = guard.near[idx(near[0])];  // near the sample before
   const auto is_near = [&](const Vec3& x, std::int32_t vertex) {
-    if (is_within(guard, x, last)) return true;
+    if (is_within(guard, search.limit, x, last)) return true;
     last = guard.near[idx(vertex)];
-    if (is_within(guard, x, last)) return true;
-    last = search(guard, x);
+    if (is_within(guard, search.limit, x, last)) return true;
+    last = find_by_tree(guard, search, x);
     return last >= 0;
   };
   for (int i = 0; i < n; ++i)  // i = n is the first corner

@@ -14,18 +14,19 @@ constexpr double kLeastStep = 0.01, kLargestStep = 0.5;
 /// open.
 constexpr double kPull = 0.01;
 
-Quadric edge_quadric(const CollapseContext& context) {
-  Quadric sum = context.quadric[idx(context.scratch.star.tail)];
-  sum += context.quadric[idx(context.scratch.star.head)];
+Quadric edge_quadric(const CollapseContext& context, const EdgeStar& star) {
+  Quadric sum = context.quadric[idx(star.tail)];
+  sum += context.quadric[idx(star.head)];
   return sum;
 }
 
-Vec3 quadric_start(const PatchedSurface& surface, const CollapseContext& context) {
-  const EdgeStar& star = context.scratch.star;
+Vec3 quadric_start(const PatchedSurface& surface, const CollapseContext& context,
+                   const EdgeStar& star) {
   const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
              &head = surface.mesh.positions[idx(star.head)];
   const Vec3 middle = 0.5 * tail + 0.5 * head;
-  return clamped(minimize(edge_quadric(context), middle), middle, kReach * (head - tail).norm());
+  return clamped(minimize(edge_quadric(context, star), middle), middle,
+                 kReach * (head - tail).norm());
 }
 
 /// That the vertex stays on the side of the triangle (va, vc, vd) on which a patch with both is
@@ -96,15 +97,15 @@ Vec3 with_volume(const VolumePlane& plane, const Vec3& p, double edge) {
   return p + (step / size) * plane.normal;
 }
 
-Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context) {
-  const EdgeStar& star = context.scratch.star;
+Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context,
+                     const EdgeStar& star) {
   const Vec3 &tail = surface.mesh.positions[idx(star.tail)],
              &head = surface.mesh.positions[idx(star.head)];
-  const Quadric sum = edge_quadric(context);
+  const Quadric sum = edge_quadric(context, star);
   Starts starts;
   starts.may_move = !star.is_tail_on_boundary && !star.is_head_on_boundary;
   if (starts.may_move) {
-    starts.position[0] = quadric_start(surface, context);
+    starts.position[0] = quadric_start(surface, context, star);
     starts.count = 1;
   }
   const bool head_first = star.is_head_on_boundary &&
@@ -118,14 +119,14 @@ Starts choose_starts(const PatchedSurface& surface, const CollapseContext& conte
   return starts;
 }
 
-std::optional<Vec3> best_convex_start(const PatchedSurface& surface, CollapseContext& context) {
-  CollapseScratch& scratch = context.scratch;
+std::optional<Vec3> best_convex_start(const PatchedSurface& surface, const CollapseContext& context,
+                                      CollapseScratch& scratch) {
   const Vec3 &tail = surface.mesh.positions[idx(scratch.star.tail)],
              &head = surface.mesh.positions[idx(scratch.star.head)];
-  const Quadric sum = edge_quadric(context);
+  const Quadric sum = edge_quadric(context, scratch.star);
   if (!(sum.a.trace() > 0.0)) return std::nullopt;
   list_constraints(surface, scratch);
-  const std::optional<Vec3> p = nearest_feasible(quadric_start(surface, context),
+  const std::optional<Vec3> p = nearest_feasible(quadric_start(surface, context, scratch.star),
                                                  sum.a + kPull * sum.a.trace() * Mat3::Identity(),
                                                  scratch.constraints, 0.1 * surface.flat);
   if (!p || !((*p - 0.5 * (tail + head)).norm() <= kReach * (head - tail).norm()))

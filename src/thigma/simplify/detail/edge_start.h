@@ -29,10 +29,12 @@ struct Starts {
 };
 
 /// The point of least quadric error and the ends; of an edge with an end on a boundary, that end.
-Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context);
+Starts choose_starts(const PatchedSurface& surface, const CollapseContext& context,
+                     const EdgeStar& star);
 
 /// Of all positions that keep the patches of the star convex, that of least quadric error; nothing
 /// when there is none, or none near the edge. To be called after begin_trials.
-std::optional<Vec3> best_convex_start(const PatchedSurface& surface, CollapseContext& context);
+std::optional<Vec3> best_convex_start(const PatchedSurface& surface, const CollapseContext& context,
+                                      CollapseScratch& scratch);
 
 }  // namespace thigma::detail

@@ -21,10 +21,25 @@ std::array<std::int32_t, 3> new_corners(const CollapseScratch& scratch, std::siz
   return {scratch.star.tail, scratch.star.triangles[i].a, scratch.star.triangles[i].b};
 }
 
+/// Whether a new triangle meets another of the star, or of the surface, with the vertex at p.
+bool new_triangle_meets(const PatchedSurface& surface, const CollapseScratch& scratch,
+                        const Vec3& p, std::size_t i, const std::array<std::int32_t, 3>& other) {
+  const std::array<std::int32_t, 3> own = new_corners(scratch, i);
+  std::array<Vec3, 6> corners;
+  std::array<std::int32_t, 3> places{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = k == 0 ? p : surface.mesh.positions[idx(own[k])];
+    corners[3 + k] = other[k] == own[0] ? p : surface.mesh.positions[idx(other[k])];
+    const auto same = std::find(own.begin(), own.end(), other[k]);
+    places[k] = static_cast<std::int32_t>(same == own.end() ? 3 + k : same - own.begin());
+  }
+  return triangles_meet(corners, {0, 1, 2}, places);
+}
+
 /// Shape of the new triangles; fills what the later tests need of them.
-bool has_good_shape(const PatchedSurface& surface, CollapseContext& context, const Vec3& p) {
-  CollapseScratch& scratch = context.scratch;
-  const double least = std::min(context.params.least_quality, scratch.worst_old_quality);
+bool has_good_shape(const PatchedSurface& surface, const CollapseParams& params, const Vec3& p,
+                    CollapseScratch& scratch) {
+  const double least = std::min(params.least_quality, scratch.worst_old_quality);
   for (std::size_t i = 0; i < scratch.star.triangles.size(); ++i) {
     const StarTriangle& t = scratch.star.triangles[i];
     const Vec3 &a = surface.mesh.positions[idx(t.a)], &b = surface.mesh.positions[idx(t.b)];
@@ -37,7 +52,7 @@ bool has_good_shape(const PatchedSurface& surface, CollapseContext& context, con
     scratch.new_normal[i] = has_area ? Vec3(cross / area2) : Vec3(Vec3::Zero());
     scratch.new_height[i] = has_area ? area2 / std::sqrt(longest2) : 0.0;
     scratch.new_box[i] = box_of({p, a, b});
-    if (scratch.old_quality[i] >= context.params.sliver_quality &&
+    if (scratch.old_quality[i] >= params.sliver_quality &&
         scratch.new_normal[i].dot(surface.normal[idx(t.triangle)]) < 0.1)
       return false;
   }
@@ -75,36 +90,36 @@ int count_old_folds(const PatchedSurface& surface, const CollapseScratch& scratc
 
 /// Two triangles of the star beside each other have the samples of their common edge in common
 /// when they are divided alike: the second tests them.
-bool is_near_original(const PatchedSurface& surface, CollapseContext& context, const Vec3& p) {
-  CollapseScratch& scratch = context.scratch;
+bool is_near_original(const PatchedSurface& surface, const DeviationGuard& guard, const Vec3& p,
+                      CollapseScratch& scratch) {
   const EdgeStar& star = scratch.star;
-  if (find_within_limit(context.guard, p, {star.tail, star.head, star.tail}) < 0) return false;
+  DeviationSearch& search = scratch.search;
+  if (find_within_limit(guard, search, p, {star.tail, star.head, star.tail}) < 0) return false;
   const auto corners = [&](const StarTriangle& t) {
     return std::array{p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]};
   };
   scratch.divisions.clear();
   for (const StarTriangle& t : star.triangles)
-    scratch.divisions.push_back(count_divisions(context.guard, corners(t)));
+    scratch.divisions.push_back(count_divisions(search.limit, corners(t)));
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const StarTriangle& t = star.triangles[i];
     const int divisions = scratch.divisions[i];
     const bool is_shared = t.following >= 0 && scratch.divisions[idx(t.following)] == divisions;
-    if (!is_within_limit(context.guard, corners(t), {star.tail, t.a, t.b}, divisions, !is_shared))
+    if (!is_within_limit(guard, search, corners(t), {star.tail, t.a, t.b}, divisions, !is_shared))
       return false;
   }
   return true;
 }
 
 /// Vertices of the original that the star stands for, to the new triangles.
-bool is_original_near(const PatchedSurface& surface, const CollapseContext& context,
-                      const Vec3& p) {
-  const CollapseScratch& scratch = context.scratch;
-  const DeviationGuard& guard = context.guard;
+bool is_original_near(const PatchedSurface& surface, const DeviationGuard& guard, const Vec3& p,
+                      const CollapseScratch& scratch) {
+  const double limit = scratch.search.limit;
   const auto is_near = [&](const Vec3& x, std::size_t i) {
     const StarTriangle& t = scratch.star.triangles[i];
-    return squared_distance(scratch.new_box[i], x) <= kFarther * guard.limit * guard.limit &&
+    return squared_distance(scratch.new_box[i], x) <= kFarther * limit * limit &&
            point_triangle_distance(x, p, surface.mesh.positions[idx(t.a)],
-                                   surface.mesh.positions[idx(t.b)]) <= guard.limit;
+                                   surface.mesh.positions[idx(t.b)]) <= limit;
   };
   const std::size_t count = scratch.star.triangles.size();
   const auto are_near = [&](std::int32_t triangle, std::size_t own) {
@@ -135,7 +150,8 @@ bool are_patches_convex(const PatchedSurface& surface, const CollapseScratch& sc
       has_vertex = true;
       if (!(scratch.new_height[j] > surface.flat)) continue;
       for (const std::int32_t v : scratch.patch_vertices[i])
-        if (scratch.new_normal[j].dot(surface.mesh.positions[idx(v)] - p) > surface.flat)
+        if (v != scratch.star.tail &&
+            scratch.new_normal[j].dot(surface.mesh.positions[idx(v)] - p) > surface.flat)
           return false;
     }
     if (!has_vertex) continue;
@@ -149,10 +165,7 @@ bool are_patches_convex(const PatchedSurface& surface, const CollapseScratch& sc
 
 TreeBox star_box(const CollapseScratch& scratch) {
   TreeBox box = scratch.new_box[0];
-  for (std::size_t i = 1; i < scratch.star.triangles.size(); ++i) {
-    box.min = box.min.cwiseMin(scratch.new_box[i].min);
-    box.max = box.max.cwiseMax(scratch.new_box[i].max);
-  }
+  for (std::size_t i = 1; i < scratch.star.triangles.size(); ++i) extend(box, scratch.new_box[i]);
   return box;
 }
 
@@ -167,15 +180,15 @@ void visit_patches(const PatchedSurface& surface, const CollapseScratch& scratch
   });
 }
 
-int count_new_crossings(const PatchedSurface& surface, const CollapseScratch& scratch) {
+int count_new_crossings(const PatchedSurface& surface, const Vec3& p, CollapseScratch& scratch) {
   int crossings = 0;
-  const std::span<const Vec3> positions = surface.mesh.positions;
   const std::size_t count = scratch.star.triangles.size();
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
       crossings += scratch.new_height[i] > 0.0 && scratch.new_height[j] > 0.0 &&
-                   triangles_meet(positions, new_corners(scratch, i), new_corners(scratch, j));
+                   new_triangle_meets(surface, scratch, p, i, new_corners(scratch, j));
   const TreeBox all = star_box(scratch);
+  scratch.seen.push_back(all);
   visit_patches(surface, scratch, all, [&](std::int32_t, const SurfacePatch& patch) {
     for (const std::int32_t t : patch.triangles) {
       const TreeBox& box = surface.box[idx(t)];
@@ -183,16 +196,15 @@ int count_new_crossings(const PatchedSurface& surface, const CollapseScratch& sc
           surface.height[idx(t)] <= 0.0)
         continue;
       for (std::size_t i = 0; i < count; ++i)
-        crossings +=
-            scratch.new_box[i].overlaps(box) && scratch.new_height[i] > 0.0 &&
-            triangles_meet(positions, new_corners(scratch, i), surface.mesh.triangles[idx(t)]);
+        crossings += scratch.new_box[i].overlaps(box) && scratch.new_height[i] > 0.0 &&
+                     new_triangle_meets(surface, scratch, p, i, surface.mesh.triangles[idx(t)]);
     }
   });
   return crossings;
 }
 
-/// The same of the star as it is; to be called with the positions as they were.
-int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& scratch) {
+/// The same of the star as it is.
+int count_old_crossings(const PatchedSurface& surface, CollapseScratch& scratch) {
   std::vector<std::int32_t> own;
   for (const StarTriangle& t : scratch.star.triangles) own.push_back(t.triangle);
   for (const std::int32_t t : scratch.star.removed)
@@ -205,6 +217,7 @@ int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& sc
       crossings +=
           triangles_meet(surface.mesh.positions, triangle, surface.mesh.triangles[idx(own[j])]);
     const TreeBox& box = surface.box[idx(own[i])];
+    scratch.seen.push_back(box);
     visit_patches(surface, scratch, box, [&](std::int32_t, const SurfacePatch& patch) {
       for (const std::int32_t t : patch.triangles) {
         if (is_in_star(scratch, t) || is_removed(scratch, t) || surface.height[idx(t)] <= 0.0)
@@ -219,21 +232,21 @@ int count_old_crossings(const PatchedSurface& surface, const CollapseScratch& sc
 }
 
 /// New triangles against the hulls of the other patches.
-bool enters_other_hull(const PatchedSurface& surface, const CollapseScratch& scratch,
-                       const Vec3& p) {
+bool enters_other_hull(const PatchedSurface& surface, const Vec3& p, CollapseScratch& scratch) {
   bool entered = false;
-  visit_patches(
-      surface, scratch, star_box(scratch), [&](std::int32_t patch, const SurfacePatch& other) {
-        if (entered || scratch.patch_mark[idx(patch)] == scratch.epoch || other.half_spaces.empty())
-          return;
-        for (std::size_t i = 0; i < scratch.star.triangles.size() && !entered; ++i) {
-          if (!scratch.new_box[i].overlaps(other.box) || scratch.new_height[i] <= 0.0) continue;
-          const StarTriangle& t = scratch.star.triangles[i];
-          entered =
-              reaches_into({p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
-                           other.half_spaces);
-        }
-      });
+  const TreeBox all = star_box(scratch);
+  scratch.tried.push_back(all);
+  visit_patches(surface, scratch, all, [&](std::int32_t patch, const SurfacePatch& other) {
+    if (entered || scratch.patch_mark[idx(patch)] == scratch.epoch || other.half_spaces.empty())
+      return;
+    for (std::size_t i = 0; i < scratch.star.triangles.size() && !entered; ++i) {
+      if (!scratch.new_box[i].overlaps(other.box) || scratch.new_height[i] <= 0.0) continue;
+      const StarTriangle& t = scratch.star.triangles[i];
+      entered =
+          reaches_into({p, surface.mesh.positions[idx(t.a)], surface.mesh.positions[idx(t.b)]},
+                       other.half_spaces);
+    }
+  });
   return entered;
 }
 
@@ -246,14 +259,13 @@ bool has_shrunk(const PatchedSurface& surface, std::int32_t patch, const Vec3& p
   return !half_spaces.empty();
 }
 
-bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scratch, std::size_t i,
-                     bool only_by_star) {
+bool is_hull_entered(const PatchedSurface& surface, const Vec3& p, CollapseScratch& scratch,
+                     std::size_t i) {
   const std::int32_t own = scratch.star.patches[i];
   const auto& half_spaces = scratch.half_spaces[i];
   const auto meets = [&](const std::array<Vec3, 3>& corners, const TreeBox& box) {
     return box.overlaps(scratch.patch_box[i]) && reaches_into(corners, half_spaces);
   };
-  const Vec3& p = surface.mesh.positions[idx(scratch.star.tail)];
   for (std::size_t j = 0; j < scratch.star.triangles.size(); ++j) {
     const StarTriangle& t = scratch.star.triangles[j];
     if (t.patch != own && scratch.new_height[j] > 0.0 &&
@@ -261,8 +273,9 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
               scratch.new_box[j]))
       return true;
   }
-  if (only_by_star) return false;
+  if (has_shrunk(surface, own, p)) return false;
   bool entered = false;
+  scratch.seen.push_back(scratch.patch_box[i]);
   visit_patches(
       surface, scratch, scratch.patch_box[i], [&](std::int32_t patch, const SurfacePatch& other) {
         if (entered || patch == own) return;
@@ -276,16 +289,26 @@ bool is_hull_entered(const PatchedSurface& surface, const CollapseScratch& scrat
   return entered;
 }
 
-bool are_hulls_clear(const PatchedSurface& surface, CollapseScratch& scratch, const Vec3& p) {
+/// Of the hull of patch i of the star with the vertex at p.
+void list_new_half_spaces(const PatchedSurface& surface, const Vec3& p, CollapseScratch& scratch,
+                          std::size_t i) {
+  const std::vector<std::int32_t>& vertices = scratch.patch_vertices[i];
+  std::array<Vec3, kMaxHullVertices> points;
+  const std::size_t count = std::min(vertices.size(), points.size());
+  for (std::size_t k = 0; k < count; ++k)
+    points[k] = vertices[k] == scratch.star.tail ? p : surface.mesh.positions[idx(vertices[k])];
+  list_half_spaces_of(surface, {points.data(), count}, scratch.hull, scratch.half_spaces[i],
+                      scratch.patch_box[i]);
+}
+
+bool are_hulls_clear(const PatchedSurface& surface, const Vec3& p, CollapseScratch& scratch) {
   scratch.hulls_at = p;
   scratch.has_all_hulls = false;
   for (std::size_t i = 0; i < scratch.star.patches.size(); ++i) {
     if (scratch.patch_vertices[i].empty()) continue;
-    list_patch_half_spaces(surface, scratch.patch_vertices[i], scratch.hull, scratch.half_spaces[i],
-                           scratch.patch_box[i]);
+    list_new_half_spaces(surface, p, scratch, i);
     if (scratch.half_spaces[i].empty()) continue;
-    if (is_hull_entered(surface, scratch, i, has_shrunk(surface, scratch.star.patches[i], p)))
-      return false;
+    if (is_hull_entered(surface, p, scratch, i)) return false;
   }
   scratch.has_all_hulls = true;
   return true;
@@ -293,8 +316,7 @@ bool are_hulls_clear(const PatchedSurface& surface, CollapseScratch& scratch, co
 
 }  // namespace
 
-void begin_trials(const PatchedSurface& surface, CollapseContext& context) {
-  CollapseScratch& scratch = context.scratch;
+void begin_trials(const PatchedSurface& surface, CollapseScratch& scratch) {
   const std::size_t triangles = scratch.star.triangles.size(),
                     patches = scratch.star.patches.size();
   ++scratch.epoch;
@@ -329,43 +351,33 @@ void begin_trials(const PatchedSurface& surface, CollapseContext& context) {
   scratch.old_crossings = scratch.old_folds = -1;
 }
 
-bool try_position(PatchedSurface& surface, CollapseContext& context, const Vec3& p) {
-  CollapseScratch& scratch = context.scratch;
+bool try_position(const PatchedSurface& surface, const CollapseContext& context, const Vec3& p,
+                  CollapseScratch& scratch) {
   scratch.reason = CollapseOutcome::quality;
-  if (!has_good_shape(surface, context, p)) return false;
-  Vec3 &tail = surface.mesh.positions[idx(scratch.star.tail)],
-       &head = surface.mesh.positions[idx(scratch.star.head)];
-  const Vec3 old_tail = tail, old_head = head;
-  const auto with_both_at_p = [&](auto test) {
-    tail = head = p;
-    const auto result = test();
-    tail = old_tail;
-    head = old_head;
-    return result;
-  };
+  if (!has_good_shape(surface, context.params, p, scratch)) return false;
   scratch.reason = CollapseOutcome::convexity;
-  if (!with_both_at_p([&] { return are_patches_convex(surface, scratch, p); })) return false;
+  if (!are_patches_convex(surface, scratch, p)) return false;
   scratch.reason = CollapseOutcome::deviation;
-  if (!with_both_at_p([&] { return is_near_original(surface, context, p); })) return false;
-  if (!is_original_near(surface, context, p)) return false;
+  if (!is_near_original(surface, context.guard, p, scratch)) return false;
+  if (!is_original_near(surface, context.guard, p, scratch)) return false;
   scratch.reason = CollapseOutcome::volume;
-  if (!keeps_within(context.volume, volume_change(scratch.volume, p))) return false;
+  const double change = volume_change(scratch.volume, p);
+  scratch.answers.push_back({change, keeps_within(context.volume, change)});
+  if (!scratch.answers.back().is_kept) return false;
   scratch.reason = CollapseOutcome::intersection;
   // Not more than before, rather than none: what crosses itself already must stay free to be
   // simplified.
-  const int folds = with_both_at_p([&] { return count_new_folds(surface, scratch); });
+  const int folds = count_new_folds(surface, scratch);
   if (folds > 0 && scratch.old_folds < 0) scratch.old_folds = count_old_folds(surface, scratch);
   if (folds > 0 && folds > scratch.old_folds) return false;
-  const int crossings = with_both_at_p([&] { return count_new_crossings(surface, scratch); });
+  const int crossings = count_new_crossings(surface, p, scratch);
   if (crossings > 0 && scratch.old_crossings < 0)
     scratch.old_crossings = count_old_crossings(surface, scratch);
   if (crossings > 0 && crossings > scratch.old_crossings) return false;
   scratch.reason = CollapseOutcome::protrusion;
-  const bool is_clear = with_both_at_p([&] {
-    return !enters_other_hull(surface, scratch, p) && are_hulls_clear(surface, scratch, p);
-  });
-  if (is_clear) scratch.reason = CollapseOutcome::collapsed;
-  return is_clear;
+  if (enters_other_hull(surface, p, scratch) || !are_hulls_clear(surface, p, scratch)) return false;
+  scratch.reason = CollapseOutcome::collapsed;
+  return true;
 }
 
 }  // namespace thigma::detail

@@ -7,10 +7,10 @@ namespace thigma::detail {
 
 /// Prepares the scratch for trials of the star gathered in it: marks, qualities before, vertices of
 /// the patches afterwards.
-void begin_trials(const PatchedSurface& surface, CollapseContext& context);
+void begin_trials(const PatchedSurface& surface, CollapseScratch& scratch);
 
-/// Tests a position of the new vertex, cheapest tests first. The positions of both ends are changed
-/// for the time of the test and restored. Sets scratch.reason when it refuses.
-bool try_position(PatchedSurface& surface, CollapseContext& context, const Vec3& position);
+/// Tests a position of the new vertex, cheapest tests first. Sets scratch.reason when it refuses.
+bool try_position(const PatchedSurface& surface, const CollapseContext& context,
+                  const Vec3& position, CollapseScratch& scratch);
 
 }  // namespace thigma::detail
