@@ -9,8 +9,8 @@
 // triangles of others that meet its boxes. A collapse moves the triangles of its star, and changes
 // the patches of the star and those that they absorb. Where the one is not among the other, the
 // attempt finds the same before and after. What else it reads is compared: the limit, and what the
-// volume guard says. Topology is that of the fans of both ends: where those change, the candidate is
-// stale.
+// volume guard says. Topology is that of the fans of both ends: where those change, the candidate
+// is stale.
 
 namespace thigma::detail {
 namespace {

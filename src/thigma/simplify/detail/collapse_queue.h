@@ -41,8 +41,8 @@ struct Lookahead {
   std::size_t turn = 0;                // those before have had it
   std::vector<AttemptAhead> attempts;  // as the places name them
   std::vector<std::int32_t> free, chosen;
-  double room = 0.0;   // attempts at once
-  int lost = 0;        // of those since the last round
+  double room = 0.0;                     // attempts at once
+  int lost = 0;                          // of those since the last round
   std::vector<CollapseScratch> scratch;  // of each thread
 };
 
