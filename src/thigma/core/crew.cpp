@@ -3,13 +3,12 @@
 namespace thigma {
 namespace {
 
-/// Looks as long as the number is, or is not, that value, but no longer than some tens of
-/// microseconds: to sleep and be woken takes longer than many a piece.
-template <class Number>
-void look_while(const std::atomic<Number>& number, Number value, bool is_equal) {
+/// Looks until it is so, but no longer than some tens of microseconds: to sleep and be woken takes
+/// longer than many a piece.
+template <class Condition>
+void look_for(const Condition& is_so) {
   constexpr int kLooks = 3000;
-  for (int i = 0; i < kLooks; ++i) {
-    if ((number.load(std::memory_order_relaxed) == value) != is_equal) return;
+  for (int i = 0; i < kLooks && !is_so(); ++i) {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #elif defined(__aarch64__)
@@ -48,7 +47,7 @@ void Crew::take_pieces(std::size_t thread) {
 
 void Crew::help(std::size_t thread) {
   for (std::uint32_t seen = 0;;) {
-    look_while(round_, seen, true);
+    look_for([&] { return round_.load(std::memory_order_relaxed) != seen; });
     {
       std::unique_lock lock(mutex_);
       begins_.wait(lock, [this] { return is_over_ || next_ < count_; });
@@ -70,9 +69,10 @@ void Crew::for_each(std::size_t count, const Work& work) {
   }
   begins_.notify_all();
   take_pieces(0);
-  look_while(left_, std::size_t{0}, false);
+  const auto is_done = [this] { return left_.load(std::memory_order_acquire) == 0; };
+  look_for(is_done);
   std::unique_lock lock(mutex_);
-  ends_.wait(lock, [this] { return left_.load(std::memory_order_acquire) == 0; });
+  ends_.wait(lock, is_done);
 }
 
 }  // namespace thigma

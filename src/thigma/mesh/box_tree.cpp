@@ -8,10 +8,6 @@
 namespace thigma {
 namespace {
 
-TreeBox united(const TreeBox& a, const TreeBox& b) {
-  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
-}
-
 double half_surface(const TreeBox& box) {
   const Vec3 e = box.max - box.min;
   return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();

@@ -16,10 +16,9 @@ struct TreeBox {
   }
 };
 
-/// Makes the first box hold the second.
-inline void extend(TreeBox& box, const TreeBox& other) noexcept {
-  box.min = box.min.cwiseMin(other.min);
-  box.max = box.max.cwiseMax(other.max);
+/// The smallest box around both.
+inline TreeBox united(const TreeBox& a, const TreeBox& b) noexcept {
+  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
 }
 
 /// A squared distance to a box this many times that to a triangle is larger, however both were

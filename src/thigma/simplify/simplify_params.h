@@ -54,7 +54,7 @@ struct SimplifyParams {
   double protrusion_tolerance = 1e-5;  // least, times the radius
   double last_level_share = 0.8;  // the last level has at most this share of the patches before it
   CollapseParams collapse;
-  int threads = 1;  // that attempts are made on; the surfaces are the same with any number
+  int threads = 1;  // that attempts are made on, the same surfaces with any; build_clod's own there
   std::function<void(double)> progress;  // called with the share of the work done, 0..1, rising; by
                                          // build_clod for all of its work
 };

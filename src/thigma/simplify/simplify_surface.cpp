@@ -68,8 +68,7 @@ void push(Loop& loop, std::int32_t a, std::int32_t b) {
   const double length = projected_length(m.positions[idx(b)] - m.positions[idx(a)],
                                          loop.vertex_normal[idx(a)] + loop.vertex_normal[idx(b)]);
   if (length > loop.longest_tried) return;
-  loop.queue.waiting.push({length, std::min(a, b), std::max(a, b),
-                           loop.queue.version[idx(a)] + loop.queue.version[idx(b)]});
+  detail::push(loop.queue, length, a, b);
 }
 
 void push_all(Loop& loop) {
@@ -182,14 +181,8 @@ void collapse(Loop& loop, const detail::Candidate& candidate) {
   PatchedSurface& surface = loop.surface;
   const detail::EdgeStar& star = loop.context.scratch.star;
   const std::int32_t patches = surface.patch_count;
-  detail::SurfaceChange change{star.patches, {}, surface.box[idx(star.triangles[0].triangle)]};
-  const auto note = [&] {
-    for (const std::int32_t patch : star.patches)
-      if (!surface.patches[idx(patch)].triangles.empty())
-        change.hulls.push_back(surface.patches[idx(patch)].box);
-    extend_by_star(surface, star, change.triangles);
-  };
-  note();
+  detail::SurfaceChange change;
+  add_star(surface, star, change);
   commit_collapse(surface, loop.context, loop.successor);
   loop.longest = std::max(loop.longest, candidate.length);
   loop.result.vanished += patches - surface.patch_count;
@@ -203,7 +196,7 @@ void collapse(Loop& loop, const detail::Candidate& candidate) {
   for (const std::int32_t patch : star.patches)
     if (!surface.patches[idx(patch)].triangles.empty())
       loop.result.merges += merge_patch(surface, patch, loop.context.scratch.hull, loop.successor);
-  note();
+  add_star(surface, star, change);
   note_change(loop.queue, surface, change);
 }
 

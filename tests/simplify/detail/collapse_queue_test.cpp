@@ -20,8 +20,7 @@ struct QueueBench : test::SurfaceBench {
   void push(std::int32_t h) {
     const std::int32_t a = tail_of(surface.mesh, h), b = head_of(surface.mesh, h);
     const auto& x = surface.mesh.positions;
-    queue.waiting.push({(x[idx(a)] - x[idx(b)]).norm(), std::min(a, b), std::max(a, b),
-                        queue.version[idx(a)] + queue.version[idx(b)]});
+    detail::push(queue, (x[idx(a)] - x[idx(b)]).norm(), a, b);
   }
 
   /// The limit grows with what has collapsed, as the loop's does.
@@ -33,20 +32,14 @@ struct QueueBench : test::SurfaceBench {
 
   void collapse(const Candidate& candidate, bool is_noted = true) {
     const EdgeStar& star = context.scratch.star;
-    SurfaceChange change{star.patches, {}, surface.box[idx(star.triangles[0].triangle)]};
-    const auto note = [&] {
-      for (const std::int32_t patch : star.patches)
-        if (!surface.patches[idx(patch)].triangles.empty())
-          change.hulls.push_back(surface.patches[idx(patch)].box);
-      extend_by_star(surface, star, change.triangles);
-    };
-    note();
+    SurfaceChange change;
+    add_star(surface, star, change);
     commit_collapse(surface, context, successor);
     longest = std::max(longest, candidate.length);
     for (const std::int32_t patch : star.patches)
       if (!surface.patches[idx(patch)].triangles.empty())
         merge_patch(surface, patch, context.scratch.hull, successor);
-    note();
+    add_star(surface, star, change);
     if (is_noted) note_change(queue, surface, change);
     ++queue.version[idx(star.head)];
     ++queue.version[idx(star.tail)];

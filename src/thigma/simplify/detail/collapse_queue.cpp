@@ -15,8 +15,12 @@
 namespace thigma::detail {
 namespace {
 
+std::int32_t version_of(const CollapseQueue& queue, std::int32_t a, std::int32_t b) {
+  return queue.version[idx(a)] + queue.version[idx(b)];
+}
+
 bool is_stale(const CollapseQueue& queue, const Candidate& candidate) {
-  return candidate.version != queue.version[idx(candidate.a)] + queue.version[idx(candidate.b)];
+  return candidate.version != version_of(queue, candidate.a, candidate.b);
 }
 
 std::int32_t halfedge_of(const PatchedSurface& surface, const Candidate& candidate) {
@@ -164,6 +168,10 @@ std::optional<Candidate> take_alone(CollapseQueue& queue, const PatchedSurface& 
 
 }  // namespace
 
+void push(CollapseQueue& queue, double length, std::int32_t a, std::int32_t b) {
+  queue.waiting.push({length, std::min(a, b), std::max(a, b), version_of(queue, a, b)});
+}
+
 std::optional<Candidate> take_attempt(CollapseQueue& queue, const PatchedSurface& surface,
                                       CollapseContext& context, const LimitOfLength& limit_of) {
   if (queue.crew.threads() == 1) return take_alone(queue, surface, context, limit_of);
@@ -190,6 +198,20 @@ std::optional<Candidate> take_attempt(CollapseQueue& queue, const PatchedSurface
     }
     attempt_ahead(queue, surface, context, limit_of);
   }
+}
+
+void add_star(const PatchedSurface& surface, const EdgeStar& star, SurfaceChange& change) {
+  if (change.patches.empty()) change.triangles = surface.box[idx(star.triangles[0].triangle)];
+  change.patches = star.patches;
+  for (const std::int32_t patch : star.patches)
+    if (!surface.patches[idx(patch)].triangles.empty())
+      change.hulls.push_back(surface.patches[idx(patch)].box);
+  const auto add = [&](std::int32_t t) {
+    change.triangles = united(change.triangles, surface.box[idx(t)]);
+  };
+  for (const StarTriangle& t : star.triangles) add(t.triangle);
+  for (const std::int32_t t : star.removed)
+    if (t >= 0 && surface.patch_of[idx(t)] >= 0) add(t);  // not yet gone
 }
 
 void note_change(CollapseQueue& queue, const PatchedSurface& surface, const SurfaceChange& change) {

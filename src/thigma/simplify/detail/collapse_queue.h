@@ -57,6 +57,11 @@ struct CollapseQueue {
   Crew crew;
 };
 
+/// Puts an edge with its ends as they are now into the queue.
+///
+/// length  projected [m]
+void push(CollapseQueue& queue, double length, std::int32_t a, std::int32_t b);
+
 /// How far from the original an edge of some projected length may go [m].
 using LimitOfLength = std::function<double(double)>;
 
@@ -72,6 +77,9 @@ struct SurfaceChange {
   std::vector<TreeBox> hulls;         // of them, before and after [m]
   TreeBox triangles;                  // around those that moved, before and after [m]
 };
+
+/// Adds the patches and triangles of a star as they are now: to be called before and after.
+void add_star(const PatchedSurface& surface, const EdgeStar& star, SurfaceChange& change);
 
 /// To be told of every change while candidates are left. Attempts that it may touch are lost.
 void note_change(CollapseQueue& queue, const PatchedSurface& surface, const SurfaceChange& change);

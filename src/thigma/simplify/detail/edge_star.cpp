@@ -56,12 +56,6 @@ void list_rim_boxes(const PatchedSurface& surface, const EdgeStar& star,
     if (t.beyond >= 0) boxes.push_back(surface.box[idx(t.beyond)]);
 }
 
-void extend_by_star(const PatchedSurface& surface, const EdgeStar& star, TreeBox& box) {
-  for (const StarTriangle& t : star.triangles) extend(box, surface.box[idx(t.triangle)]);
-  for (const std::int32_t t : star.removed)
-    if (t >= 0 && surface.patch_of[idx(t)] >= 0) extend(box, surface.box[idx(t)]);
-}
-
 void list_ring(const PatchedSurface& surface, const EdgeStar& star,
                std::vector<RingTriangle>& ring) {
   ring.clear();

@@ -35,9 +35,6 @@ void gather_star(const PatchedSurface& surface, std::int32_t halfedge, EdgeStar&
 void list_rim_boxes(const PatchedSurface& surface, const EdgeStar& star,
                     std::vector<TreeBox>& boxes);
 
-/// Makes the box hold the triangles of the star, those along the edge where they are still there.
-void extend_by_star(const PatchedSurface& surface, const EdgeStar& star, TreeBox& box);
-
 /// Its ring as the relaxation wants it.
 void list_ring(const PatchedSurface& surface, const EdgeStar& star,
                std::vector<RingTriangle>& ring);

@@ -165,7 +165,8 @@ bool are_patches_convex(const PatchedSurface& surface, const CollapseScratch& sc
 
 TreeBox star_box(const CollapseScratch& scratch) {
   TreeBox box = scratch.new_box[0];
-  for (std::size_t i = 1; i < scratch.star.triangles.size(); ++i) extend(box, scratch.new_box[i]);
+  for (std::size_t i = 1; i < scratch.star.triangles.size(); ++i)
+    box = united(box, scratch.new_box[i]);
   return box;
 }
 
