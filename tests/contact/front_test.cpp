@@ -155,6 +155,28 @@ TEST(Front, TooManyPairsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
   EXPECT_LT(2 * most, most_without);
 }
 
+TEST(Front, TheToleranceShrinksNoFartherThanIsAllowed) {
+  const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 16));
+  const ClodHierarchy hollow = build_exact_hierarchy(make_ball(1.05, 16));
+  ContactSet set;
+  set.contacts.reserve(1'000'000);
+  const auto left = [&](double least) {
+    ContactFront front;
+    double tolerance = 1.0;
+    for (int k = 0; k < 10; ++k) {
+      clear(set);
+      query_contacts({ball, {{0.004 * k, 0.0, 0.0}}}, {hollow},
+                     {.tolerance = 0.4, .most_pairs = 100, .least_tolerance = least}, front, set);
+      tolerance = std::min(tolerance, front.tolerance);
+    }
+    return tolerance;
+  };
+  EXPECT_LT(left(0.0), 0.05);
+  EXPECT_GE(left(0.06), 0.06);
+  EXPECT_LT(left(0.06), 0.4);
+  EXPECT_EQ(left(0.3), 0.4);
+}
+
 TEST(Front, KnowsHowFarWhatItDidNotReportIs) {
   const ClodHierarchy ball = build_exact_hierarchy(make_ball(1.0, 8));
   ContactFront front;

@@ -162,6 +162,16 @@ TEST(ConstrainedStep, WaitsAtTheEndOfItsTravel) {
   EXPECT_GT(last.wanted_speed, 0.0);  // what a query should look ahead for
 }
 
+TEST(ConstrainedStep, GoesToTheEndOfATravelThatIsLittleOfWhatIsWanted) {
+  Held held;
+  held.model->travel = 1e-8;
+  const ConstrainedStep first = held.step({5.0, 0.0, 0.02});
+  EXPECT_GT(first.wanted_speed * kStep, 1e4 * held.model->travel);
+  const double way = travel_between(held.model->state, held.state, held.model->reach);
+  EXPECT_LE(way, 1e-8);
+  EXPECT_GE(way, 0.3e-8);
+}
+
 TEST(ConstrainedStep, WaitsWhereAModelCameTooLate) {
   Held held;
   held.add_corner({0.0, 0.0, -0.02 - 1e-4});  // by a row that means nothing out here

@@ -29,6 +29,12 @@ struct ConstraintWorld {
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
 
+/// What is looked ahead at least where surfaces lie on each other, however many pairs that is: beyond
+/// the gap that is kept. Nearer than that no row would say where the object stops, and it would be
+/// moved by the end of its travel alone, without coming to rest [m].
+/// Thread  [contact]
+inline double crowded_look_ahead(const ConstraintWorld& world) noexcept { return 2.0 * world.slop; }
+
 /// Features of an object and of the bodies of a scene; bodies of one hierarchy share theirs.
 ///
 /// body_from_mesh  of the object, its body frame at the centre of mass

@@ -174,10 +174,12 @@ double usual_period(double step_time, double before) noexcept {
 /// steps of two from the least, as far as the query stays cheap. Pairs grow with the square of it;
 /// where none were found nothing is known of how, so that it grows step by step, or as far as was
 /// free. Where surfaces lie on each other that may be less than the usual least: then the object
-/// goes in small steps.
+/// goes in small steps, as far as was not too much to look at. To ask for more each time, and learn
+/// on the way that it is too much, would be most of a query's work.
 double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
   constexpr int kHalvings = 5;
+  constexpr int kCrowdedHalvings = 12;
   const double pairs = static_cast<double>(last.contacts.contacts.size());
   constexpr double kStep = 4.0;
   const double known =
@@ -189,6 +191,7 @@ double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
   };
   double ahead = pace.least;
   for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
+  for (int i = 0; i < kCrowdedHalvings && ahead > last.crowded_ahead; ++i) ahead *= 0.5;
   while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
   return std::min(ahead, world.most_look_ahead);
 }
@@ -250,6 +253,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   query.tolerance = scratch.looked_ahead + relief;
   // Coarse surfaces under relief have few, and have to be known beyond the relief.
   query.most_pairs = has_relief ? 0 : kMostPairs;
+  query.least_tolerance = crowded_look_ahead(constraints);
   if (has_levels_far(world))
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
   else if (!has_relief)  // rows ask contacts which patches are near, no more

@@ -2,6 +2,7 @@
 // The tree of node pairs in a front, and how long its decisions hold: travel, timers, nodes.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -44,9 +45,20 @@ inline double relative_motion(const QueryFrame& frame) noexcept {
   return std::min(scene_moves, object_moves);
 }
 
+// The largest float that is no larger than x, where x is not negative; a float that is not positive,
+// where it is. Times that have passed are all the same. Without a branch or a call: a tolerance that
+// changes asks it of every node.
 inline float round_down(double x) noexcept {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafterf(f, -kNever) : f;
+  const auto nearest = static_cast<float>(x);
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(bits - static_cast<std::int32_t>(static_cast<double>(nearest) > x));
+}
+
+// The smallest float that is no smaller than x, which is not negative.
+inline float round_up(double x) noexcept {
+  const auto nearest = static_cast<float>(x);
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(bits + static_cast<std::int32_t>(static_cast<double>(nearest) < x));
 }
 
 inline void set_timer(ContactFront& front, std::int32_t i, double slack) noexcept {
@@ -114,16 +126,22 @@ enum class FrontState : std::uint8_t { kept, empty, no_memory };
 
 // Timers for another tolerance. What was culled by s is culled by less where the tolerance is
 // larger, and the other way round. With levels the same is so of what was open; in an exact query
-// that is a split pair, and when it may rise is only a question of cost.
+// that is a split pair, and when it may rise is only a question of cost: all timers move alike, so
+// that none of the nodes has to be read.
 inline void retarget(ContactFront& front, double tolerance) noexcept {
   const double change = tolerance - front.tolerance;
-  for (std::int32_t i = 0; i < front.used; ++i) {
-    const FrontNode& node = front.nodes[i];
-    if (node.a < 0 || front.expires[i] == kNever) continue;
-    const bool is_open = front.has_levels && node.decision == FrontNode::Decision::open;
-    if (!is_open && node.first_child >= 0) continue;
-    const double by = is_open ? change : -change;
-    front.expires[i] = round_down(static_cast<double>(front.expires[i]) + by);
+  if (front.has_levels) {
+    for (std::int32_t i = 0; i < front.used; ++i) {
+      const FrontNode& node = front.nodes[i];
+      if (node.a < 0 || front.expires[i] == kNever) continue;
+      const bool is_open = node.decision == FrontNode::Decision::open;
+      if (!is_open && node.first_child >= 0) continue;
+      const double by = is_open ? change : -change;
+      front.expires[i] = round_down(static_cast<double>(front.expires[i]) + by);
+    }
+  } else {
+    for (std::int32_t i = 0; i < front.used; ++i)
+      front.expires[i] = round_down(static_cast<double>(front.expires[i]) - change);
   }
   front.tolerance = tolerance;
   forget_depths(front);

@@ -37,7 +37,8 @@ class PairLimit {
   /// Halves the tolerance where there are too many. What was found so far is measured with the
   /// smaller one, and sleeps where it is farther.
   void hold(QueryFrame& frame) noexcept {
-    if (step_ == 0 || halvings_ == kHalvings) return;
+    const bool is_least = 0.5 * frame.query.tolerance < frame.query.least_tolerance;
+    if (step_ == 0 || halvings_ == kHalvings || is_least) return;
     const ExactFront& lists = frame.front.exact;
     const std::size_t waiting =
         lists.active.size() + lists.incoming.size() + lists.saturated.size();
@@ -115,7 +116,7 @@ void try_to_rise(QueryFrame& frame, std::int32_t i) noexcept {
 
 // Nodes whose time has come, into front.work.
 void collect_expired(ContactFront& front) noexcept {
-  const auto now = static_cast<float>(front.travel * (1.0 + 1e-6));
+  const float now = round_up(front.travel);
   const __m128 limit = _mm_set1_ps(now);
   std::int32_t i = 0;
   for (; i + 4 <= front.used; i += 4) {
@@ -129,12 +130,41 @@ void collect_expired(ContactFront& front) noexcept {
   }
 }
 
+// What the tests of the next nodes read lies far apart in memory. It is asked for some tests ahead:
+// the node of the front first, then those of the two bodies that it names, then their corners.
+void prefetch_tests(const QueryFrame& frame) noexcept {
+  constexpr std::size_t kNode = 7, kBodies = 5, kCorners = 3;  // from the back
+  constexpr std::size_t kLine = 64;                            // bytes that come at once
+  const ContactFront& front = frame.front;
+  const std::size_t waiting = front.work.size();
+  const auto ahead = [&](std::size_t k) -> const FrontNode& {
+    return front.nodes[front.work[waiting - k]];
+  };
+  const auto fetch = [](const void* from, std::size_t bytes) {
+    const char* line = static_cast<const char*>(from);
+    for (std::size_t k = 0; k < bytes; k += kLine) __builtin_prefetch(line + k);
+  };
+  const auto fetch_corners = [&](const ClodHierarchy& body, const ClodNode& node) {
+    fetch(body.lanes.data() + node.first_lane, 3 * sizeof(float) * idx(node.lane_count));
+  };
+  if (waiting >= kNode) __builtin_prefetch(&ahead(kNode));
+  if (waiting >= kBodies && ahead(kBodies).a >= 0) {
+    fetch(&node_a(frame, ahead(kBodies).a), sizeof(ClodNode));
+    fetch(&node_b(frame, ahead(kBodies).b), sizeof(ClodNode));
+  }
+  if (waiting >= kCorners && ahead(kCorners).a >= 0) {
+    fetch_corners(frame.object, node_a(frame, ahead(kCorners).a));
+    fetch_corners(frame.scene, node_b(frame, ahead(kCorners).b));
+  }
+}
+
 void update_front(QueryFrame& frame, PairLimit& most) noexcept {
   ContactFront& front = frame.front;
   front.work.clear();
   collect_expired(front);
   // From the back: children mostly follow their parents, so a parent sees what became of them.
   while (!front.work.empty()) {
+    prefetch_tests(frame);
     const std::int32_t i = front.work.back();
     front.work.pop_back();
     if (front.nodes[i].a < 0 || front.expires[i] == kNever) continue;  // freed meanwhile

@@ -186,6 +186,7 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
   ContactQuery query;
   query.tolerance = std::clamp(kMore * way, constraints.least_look_ahead, most_ahead(world, pair));
   query.most_pairs = kMostPairs;
+  query.least_tolerance = crowded_look_ahead(constraints);
   // Rows are of features, whichever way their patches were found to be near: hulls are enough, and
   // of surfaces that lie on each other they take a fraction.
   query.measures_hulls = true;
