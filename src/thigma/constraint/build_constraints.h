@@ -29,9 +29,9 @@ struct ConstraintWorld {
   double least_look_ahead = 0.0, most_look_ahead = 0.0;
 };
 
-/// What is looked ahead at least where surfaces lie on each other, however many pairs that is: beyond
-/// the gap that is kept. Nearer than that no row would say where the object stops, and it would be
-/// moved by the end of its travel alone, without coming to rest [m].
+/// What is looked ahead at least where surfaces lie on each other, however many pairs that is:
+/// beyond the gap that is kept. Nearer than that no row would say where the object stops, and it
+/// would be moved by the end of its travel alone, without coming to rest [m].
 /// Thread  [contact]
 inline double crowded_look_ahead(const ConstraintWorld& world) noexcept { return 2.0 * world.slop; }
 

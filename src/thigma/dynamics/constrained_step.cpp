@@ -185,8 +185,8 @@ void correct(const StepWork& work, const FreeMotion& free, const GapsBefore& bef
 }
 
 /// The largest share of a step, to 2^-12, that ends within the travel, no gap below a least. Where
-/// that is none of it, to 2^-24: between surfaces that lie on each other the travel is a small share
-/// of what the hand wants, and the object has to come loose in such steps.
+/// that is none of it, to 2^-24: between surfaces that lie on each other the travel is a small
+/// share of what the hand wants, and the object has to come loose in such steps.
 double share_within(const StepWork& work, const Vec6& velocity, double least) THIGMA_RT {
   const ConstraintModel& model = work.bounds.model;
   double inside = 0.0, outside = 1.0;

@@ -45,9 +45,9 @@ inline double relative_motion(const QueryFrame& frame) noexcept {
   return std::min(scene_moves, object_moves);
 }
 
-// The largest float that is no larger than x, where x is not negative; a float that is not positive,
-// where it is. Times that have passed are all the same. Without a branch or a call: a tolerance that
-// changes asks it of every node.
+// The largest float that is no larger than x, where x is not negative; a float that is not
+// positive, where it is: times that have passed are all the same. Without a branch or a call, as a
+// tolerance that changes asks it of every node.
 inline float round_down(double x) noexcept {
   const auto nearest = static_cast<float>(x);
   const auto bits = std::bit_cast<std::int32_t>(nearest);
