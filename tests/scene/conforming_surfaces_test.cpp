@@ -40,11 +40,16 @@ Pressed press_discs() {
   return pressed;
 }
 
+const Pressed& pressed_discs() {
+  static const Pressed pressed = press_discs();
+  return pressed;
+}
+
 // With a look-ahead of less than the gap that is kept no row says where the object stops: it was
 // held back in most frames, crept, and never came to rest. And a query that asks for more than it
 // can look at in every frame looks at all of it in every frame.
 TEST(ConformingSurfaces, ComeToRestAndAreCheapThere) {
-  const Pressed pressed = press_discs();
+  const Pressed& pressed = pressed_discs();
   constexpr std::ptrdiff_t kRest = 150;  // frames
   ASSERT_GT(pressed.steps.size(), 1000u);
   const auto& last = pressed.steps.back();
@@ -65,7 +70,7 @@ TEST(ConformingSurfaces, ComeToRestAndAreCheapThere) {
 
 // By the triangles of both meshes, without the engine's own contacts.
 TEST(ConformingSurfaces, AreKeptApartByHalfOfTheGapAtLeast) {
-  const Pressed pressed = press_discs();
+  const Pressed& pressed = pressed_discs();
   const test::TriangleTree still = test::build_triangle_tree(
       pressed.scene.statics[0]->meshes.front(), pressed.world_from_static);
   double least = 1.0;

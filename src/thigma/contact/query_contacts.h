@@ -22,7 +22,7 @@ struct ContactQuery {
   // exact only: where more pairs than this have to be looked at, the tolerance is halved on the
   // way, six times at most; ContactFront::tolerance is what is left. 0: as many as there are
   std::size_t most_pairs = 0;
-  double least_tolerance = 0.0;  // halving ends above it, however many there are [m]
+  double least_tolerance = 0.0;  // never halved to less, however many there are [m]
   // Exact, or with Resolution::exact_within: where no closed form has the distance of two patches
   // whose hulls are apart, the contact has that of the hulls, not of the triangles. It is no
   // farther than they are, so that more may be reported, never less; no such pair counts as
