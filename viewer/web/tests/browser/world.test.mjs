@@ -58,12 +58,13 @@ const isShown = (page, number) => page.waitForFunction((n) => {
   return seen.every((value, k) => Math.abs(value - session.bodies.bodies[n].position[k]) < 1e-4);
 }, number);
 
-/// Presses on a body until the hand holds it.
+/// Presses on a body, which nothing may hide there, until the hand holds it.
 async function take(page, number) {
   await isShown(page, number);
   const { x, y } = await placeOf(page, number);
   await page.mouse.move(x, y);
   await page.mouse.down();
+  assert.equal(await page.evaluate(() => window.thigma.input.mode), "hand", `a press on body ${number} at ${x}, ${y} meets it`);
   await holds(page, number);
   return { x, y };
 }
@@ -170,8 +171,12 @@ async function shoot(page, name) {
   await fromTheFront(page);
 }
 
-/// Seen from the front: to the right is +x, up is +z.
-const fromTheFront = (page) => page.evaluate(() => window.thigma.act.look([0, -1, 0]));
+/// Seen from the front: to the right is +x, up is +z. The eye is above the table, whose edge would else hide what lies on it.
+const fromTheFront = (page) => page.evaluate((height) => {
+  const { stage, act } = window.thigma, { target } = stage.view;
+  target.copy(stage.root.localToWorld(target.clone().set(0, 0, height)));
+  act.look([0, -1, 0]);
+}, 0.04);
 
 worldTest("a body is taken hold of, lifted, let fall, stacked on another and thrown", [join(here, "blocks.toml")], async ({ page, t }) => {
   const left = await numberOf(page, "left"), right = await numberOf(page, "right");
