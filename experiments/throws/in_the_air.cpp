@@ -17,6 +17,7 @@ namespace thigma::experiments {
 namespace {
 
 constexpr double kAway = 0.060, kDeep = 0.002, kNear = 0.005;  // [m]
+constexpr double kRest = 0.02, kFrame = 1e-3;  // before it sets out; a haptic frame [s]
 
 LedPair air_pair(int index) {
   const Pose above{{0.0005, 0.0007, 0.05}, Quat::Identity()};
@@ -38,11 +39,12 @@ LedPair air_pair(int index) {
                       -Vec3::UnitZ(), 1e-3);
 }
 
-/// Down and up between `kAway` over the touch and `kDeep` under it, at one speed.
-HandPath to_and_fro(const Pose& touching, double speed) {
+/// Down and up between `kAway` over the touch and `kDeep` under it, at one speed; until `begin` [s]
+/// it rests.
+HandPath to_and_fro(const Pose& touching, double speed, double begin) {
   return [=](double t) {
     const double way = kAway + kDeep;
-    const double gone = std::fmod(speed * std::max(t - 0.02, 0.0), 2.0 * way);
+    const double gone = std::fmod(speed * std::max(t - begin, 0.0), 2.0 * way);
     const double height = kAway - (gone < way ? gone : 2.0 * way - gone);
     return Pose{touching.position + height * Vec3::UnitZ(), touching.orientation};
   };
@@ -59,7 +61,7 @@ std::vector<HapticSample> samples_of(const LedPair& pair, const HandPath& hand,
                                      const AirSetup& setup, std::vector<LedStep>& steps) {
   LedGains gains;
   gains.every = setup.every;
-  const double seconds = 0.02 + 2.0 * 2.0 * (kAway + kDeep) / setup.speed;
+  const double seconds = kRest + 2.0 * 2.0 * (kAway + kDeep) / setup.speed;
   std::vector<HapticSample> samples;
   SessionConfig config = led_config(pair, gains, seconds);
   ConstraintWorld world = *config.contact.constraints;
@@ -74,11 +76,11 @@ std::vector<HapticSample> samples_of(const LedPair& pair, const HandPath& hand,
 
 }  // namespace
 
-AirRun run_in_the_air(int index, double speed, int every, double ahead) {
+AirRun run_in_the_air(int index, double speed, int every, double ahead, double late) {
   LedPair pair = air_pair(index);
   Pose touching = pair.start;
   touching.position.z() -= pair.clearance;
-  const HandPath hand = to_and_fro(touching, speed);
+  const HandPath hand = to_and_fro(touching, speed, kRest + late * every * kFrame);
   pair.start = hand(0.0);
   const AirSetup setup{speed, every, ahead};
   std::vector<LedStep> steps, free_steps;
@@ -113,6 +115,15 @@ AirRun run_in_the_air(int index, double speed, int every, double ahead) {
     run.phantom = std::max(run.phantom, (with[i].command.force - without[i].command.force).norm());
   }
   return run;
+}
+
+void add_air_run(const AirRun& run, AirRun& sum) {
+  sum.air_frames += run.air_frames;
+  sum.air_held += run.air_held;
+  sum.near_frames += run.near_frames;
+  sum.near_held += run.near_held;
+  sum.lag = std::max(sum.lag, run.lag);
+  sum.phantom = std::max(sum.phantom, run.phantom);
 }
 
 }  // namespace thigma::experiments

@@ -5,7 +5,7 @@
 
 namespace thigma::experiments {
 
-/// A hand that comes down from 60 mm at a speed, touches, goes back, twice.
+/// A hand that comes down from 60 mm at a speed, touches, goes back, twice; or sums of such.
 struct AirRun {
   int air_frames = 0, air_held = 0;    // farther than 5 mm from touching
   int near_frames = 0, near_held = 0;  // within 5 mm, nothing pressing yet
@@ -16,7 +16,11 @@ struct AirRun {
 /// pair    0: cube over a plate, 1: ball over a ball, 2: jaws of 4,000 triangles
 /// every   haptic frames from one contact frame to the next
 /// ahead   how far a query looks at most, over what the engine allows
-AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0);
+/// late    how much later than a contact frame the hand sets out, over the time between two
+AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0, double late = 0.0);
+
+/// Counts add up, of lag and force the largest stays.
+void add_air_run(const AirRun& run, AirRun& sum);
 
 inline constexpr const char* kAirPairs[] = {"cube over plate", "ball over ball", "jaws"};
 

@@ -149,18 +149,25 @@ constexpr std::size_t kMostPairs = 6000;
 
 /// What the time between models leaves.
 struct Pace {
-  double least = 0.0;  // that rows look ahead by, however slow the hand [m]
-  double pairs = 0.0;  // within the look-ahead that are cheap to measure
+  double least = 0.0;   // that rows look ahead by, however slow the hand [m]
+  double pairs = 0.0;   // within the look-ahead that are cheap to measure
+  double margin = 1.0;  // of what is wanted
+  double growth = 4.0;  // of the look-ahead from a model to the next, at most
 };
 
 /// A hand that is slow may be fast by the model after the next. Models that follow each other soon
-/// have half as far to say, and half of the time to be found. Soon is between the whole numbers of
-/// milliseconds and halves that they come after.
+/// have half as far to say, and a fifth of the time to be found. Those that come late say more than
+/// is wanted now: what the hand will want until the next is known less. Soon is between the whole
+/// numbers of milliseconds and halves that they come after.
 Pace pace_of(const ConstraintWorld& world, double period) noexcept {
   constexpr double kSoon = 1.45e-3;  // [s]
-  constexpr double kPairs = 1500.0;
-  const double share = period <= kSoon ? 0.5 : 1.0;
-  return {share * world.least_look_ahead, share * kPairs};
+  if (period <= kSoon) return {.least = 0.5 * world.least_look_ahead, .pairs = 300.0};
+  return {.least = world.least_look_ahead, .pairs = 1200.0, .margin = 2.0, .growth = 8.0};
+}
+
+/// Over relief the query is the smaller part, and all that is near has to be known.
+Pace pace_over_relief(const ConstraintWorld& world) noexcept {
+  return {.least = world.least_look_ahead, .pairs = 1500.0};
 }
 
 /// After how long models follow each other, the longest of the last ones: one that is late is not
@@ -171,28 +178,29 @@ double usual_period(double step_time, double before) noexcept {
 }
 
 /// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps of two from the least, as far as the query stays cheap. Pairs grow with the square of it;
-/// where none were found nothing is known of how, so that it grows step by step, or as far as was
-/// free. Where surfaces lie on each other that may be less than the usual least: then the object
-/// goes in small steps, as far as was not too much to look at. To ask for more each time, and learn
-/// on the way that it is too much, would be most of a query's work.
+/// steps from the least, as far as the query stays cheap. Pairs grow with the square of it, so that
+/// steps of two would bring four times as many at once; where none were found nothing is known of
+/// how, so that it grows step by step, or as far as was free. Where surfaces lie on each other that
+/// may be less than the usual least: then the object goes in small steps, as far as was not too
+/// much to look at. To ask for more each time, and learn on the way that it is too much, would be
+/// most of a query's work.
 double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
-  constexpr int kHalvings = 5;
-  constexpr int kCrowdedHalvings = 12;
+  constexpr double kStep = 1.189207115002721;  // the fourth root of two
+  constexpr int kStepsDown = 20, kCrowdedStepsDown = 48;
+  const double enough = std::min(pace.margin * wanted, world.most_look_ahead);
   const double pairs = static_cast<double>(last.contacts.contacts.size());
-  constexpr double kStep = 4.0;
   const double known =
-      std::min(std::max({kStep * last.looked_ahead, last.separation, world.least_look_ahead}),
+      std::min(std::max({pace.growth * last.looked_ahead, last.separation, world.least_look_ahead}),
                last.crowded_ahead);
   const auto is_cheap = [&](double ahead) {
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
     return pairs * growth * growth <= pace.pairs && ahead <= known;
   };
   double ahead = pace.least;
-  for (int i = 0; i < kHalvings && !is_cheap(ahead); ++i) ahead *= 0.5;
-  for (int i = 0; i < kCrowdedHalvings && ahead > last.crowded_ahead; ++i) ahead *= 0.5;
-  while (ahead < wanted && ahead < world.most_look_ahead && is_cheap(2.0 * ahead)) ahead *= 2.0;
+  for (int i = 0; i < kStepsDown && !is_cheap(ahead); ++i) ahead /= kStep;
+  for (int i = 0; i < kCrowdedStepsDown && ahead > last.crowded_ahead; ++i) ahead /= kStep;
+  while (ahead < enough && is_cheap(kStep * ahead)) ahead *= kStep;
   return std::min(ahead, world.most_look_ahead);
 }
 
@@ -207,7 +215,7 @@ double found_tolerance(const std::vector<ContactFront>& fronts, double asked) no
 /// What was too far is tried again some frames later, where more is wanted: a try that fails looks
 /// at all that is between.
 void note_crowd(bool is_crowded, double wanted, ContactScratch& scratch) noexcept {
-  constexpr double kReturn = 1.01;  // a frame
+  constexpr double kReturn = 1.02;  // a frame
   constexpr double kEnough = 2.0;   // of what is wanted
   if (is_crowded)
     scratch.crowded_ahead = scratch.looked_ahead;
@@ -246,7 +254,8 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   const double ahead_time = models * step_time;
   const double wanted = (body.wanted_speed + 0.5 * body.wanted_gain * ahead_time) * ahead_time;
   const ConstraintWorld& constraints = *world.constraints;
-  const Pace pace = pace_of(constraints, has_relief ? kInfinity : scratch.period);
+  const Pace pace =
+      has_relief ? pace_over_relief(constraints) : pace_of(constraints, scratch.period);
   scratch.looked_ahead = look_ahead(constraints, wanted, pace, scratch);
   // Fine surfaces may meet where coarse ones are still apart by their relief.
   const double relief = relief_of(world.textures);
