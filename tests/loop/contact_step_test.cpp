@@ -145,6 +145,44 @@ TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
   EXPECT_EQ(looks_after(0.5e-3), 0.5 * least);
 }
 
+// A step farther than needed finds half as many pairs again, and with a hand that gets faster a
+// query does not look at all there is at once.
+TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
+  constexpr double kStep = 1.19;
+  struct Case {
+    double period, margin, growth;  // [s]; of what is wanted; a model
+  };
+  for (const Case& c : {Case{1e-3, 1.0, 4.0}, Case{3e-3, 2.0, 8.0}}) {
+    const CubeOverSheet pair;
+    const SessionConfig& config = pair.config;
+    ContactScratch scratch;
+    reserve_contact_scratch(config.contact, scratch);
+    ContactSample sample;
+    StampedBody body = at_height(0.01 + 1e-5);
+    const auto looks = [&](double wanted) {
+      body.time += c.period;
+      body.wanted_speed = wanted / (2.0 * c.period);  // until the model after the next
+      contact_step(config.contact, body, scratch, sample);
+      return sample.look_ahead;
+    };
+    for (int i = 0; i < 30; ++i) looks(0.0);
+    const double least = sample.look_ahead;
+    for (const double wanted : {1.1 * least, 1.5 * least, 1.9 * least}) {
+      const double looked = looks(wanted);
+      EXPECT_GE(looked, c.margin * wanted * (1.0 - 1e-12)) << c.period;
+      EXPECT_LE(looked, kStep * c.margin * wanted) << c.period;
+    }
+    const double before = looks(0.0), far = 15.0 * least;
+    const double grown = looks(far);
+    EXPECT_LT(grown, c.margin * far) << c.period;
+    EXPECT_LE(grown, c.growth * before) << c.period;
+    EXPECT_GT(grown, c.growth * before / kStep) << c.period;
+    for (int i = 0; i < 3; ++i) looks(far);
+    EXPECT_GE(sample.look_ahead, c.margin * far) << c.period;
+    EXPECT_LE(sample.look_ahead, kStep * c.margin * far) << c.period;
+  }
+}
+
 // Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at
 // all that is between: at rest there is none, and where more is wanted they are far apart.
 TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {

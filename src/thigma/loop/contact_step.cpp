@@ -156,9 +156,9 @@ struct Pace {
 };
 
 /// A hand that is slow may be fast by the model after the next. Models that follow each other soon
-/// have half as far to say, and a fifth of the time to be found. Those that come late say more than
-/// is wanted now: what the hand will want until the next is known less. Soon is between the whole
-/// numbers of milliseconds and halves that they come after.
+/// have half as far to say, and a quarter of the time to be found. Those that come late say more
+/// than is wanted now: how fast the hand will be by the next is known less. Soon is between the
+/// whole numbers of milliseconds and halves that they come after.
 Pace pace_of(const ConstraintWorld& world, double period) noexcept {
   constexpr double kSoon = 1.45e-3;  // [s]
   if (period <= kSoon) return {.least = 0.5 * world.least_look_ahead, .pairs = 300.0};
