@@ -316,6 +316,48 @@ TEST(LiveServer, NothingOfTheSceneBeforeIsShownInTheNext) {
   EXPECT_NE(next_snapshot(client), "");
 }
 
+// In a recording that stands still nothing comes after them that would fill the plots.
+TEST(LiveServer, APageThatIsBusyGetsTheRowsOfAJumpLater) {
+  Bench b;
+  b.server->begin_session({.device = "hand:", .is_simulated = true, .replay = "a.mcap"});
+  WebClient slow(b.server->port(), {.receive_buffer = 4096});
+  ASSERT_EQ(slow.status(), 101);
+  const auto observe = [&](double from, int count) {
+    for (int i = 0; i < count; ++i) {
+      HapticSample sample;
+      sample.frame = static_cast<std::uint64_t>(i);
+      sample.time = from + 1e-3 * i;
+      b.server->observe(sample);
+    }
+  };
+  for (int i = 0; i < 20; ++i) {  // until its line is full
+    observe(0.3 * i, 250);
+    sleep_ns(40'000'000);
+  }
+  constexpr double kTo = 100.0;
+  constexpr int kRows = 200;
+  b.server->rewind();
+  observe(kTo, kRows);
+  LiveRequest seek;
+  seek.kind = LiveRequest::Kind::seek;
+  b.server->answer(seek, "");
+  sleep_ns(200'000'000);
+  std::uint32_t rows = 0;
+  bool has_dropped = false;
+  for (const double deadline = wall() + 5.0; rows < kRows && wall() < deadline;) {
+    const auto message = slow.read(0.2);
+    if (!message) continue;
+    if (!message->is_binary) {
+      const Json json = Json::parse(message->data);
+      has_dropped = has_dropped || (json["type"] == "state" && json["dropped"]["yours"] > 0);
+    } else if (at<std::uint8_t>(message->data, 0) == 2 && at<double>(message->data, 8) >= kTo) {
+      rows += at<std::uint32_t>(message->data, 4);
+    }
+  }
+  EXPECT_TRUE(has_dropped) << "the page was not busy";
+  EXPECT_EQ(rows, kRows);
+}
+
 TEST(LiveServer, ChoicesOfTheProgramAreShownAndAskedForThere) {
   Bench b;
   LiveParameter response;

@@ -111,6 +111,7 @@ std::vector<LiveParameter> LiveServer::Impl::parameters() {
 void LiveServer::Impl::closed(PageId page) {
   uploads.erase(page);
   told_cameras.erase(page);
+  owed.erase(page);
   open_pages = server.pages().size();
   if (page == holder) {
     holder = 0;
@@ -121,6 +122,8 @@ void LiveServer::Impl::closed(PageId page) {
 
 void LiveServer::Impl::began(const LiveStart& start) {
   now_running = start;
+  is_rewound = false;
+  owed.clear();
   send_events();  // nothing of the session before is told as of this one
   state.session += 1;
   state.run = RunPhase::running;
@@ -315,6 +318,8 @@ void LiveServer::rewind() {
   impl_->server.post([impl = impl_.get(), done] {
     impl->collect_rows();  // of the time before
     impl->rows.clear();
+    impl->owed.clear();
+    impl->is_rewound = true;
     impl->state.session += 1;
     impl->send_state();
     done->set_value();
@@ -347,6 +352,10 @@ std::optional<LiveRequest> LiveServer::take_request() {
 void LiveServer::answer(const LiveRequest& request, const std::string& reason) {
   impl_->server.post([impl = impl_.get(), page = request.page, id = request.id, reason] {
     impl->server.send(page, ack_message(id, reason), false);
+    if (!impl->is_rewound) return;
+    impl->collect_rows();
+    impl->show();
+    impl->is_rewound = false;
   });
 }
 

@@ -109,7 +109,8 @@ class LiveServer {
   double replay_speed() const;
   /// A text message to one page.
   void send(PageId page, const std::string& message);
-  /// The samples that come next are of an earlier time.
+  /// The samples that come next, until the next answer, are of an earlier time; every page gets all
+  /// of them.
   void rewind();
 
   LivePorts& ports();

@@ -109,6 +109,17 @@ void LiveServer::Impl::show_camera(PageId page, const DeviceState& device) {
   told_cameras[page] = pose;
 }
 
+/// All of the messages to a page that keeps up, after what it is owed; false: it does not.
+bool LiveServer::Impl::offer(PageId page, const std::vector<std::string>& messages) {
+  const auto late = owed.find(page);
+  if (late == owed.end()) return server.offer(page, messages);
+  std::vector<std::string> all = late->second;
+  all.insert(all.end(), messages.begin(), messages.end());
+  if (!server.offer(page, all)) return false;
+  owed.erase(late);
+  return true;
+}
+
 void LiveServer::Impl::show() {
   const HapticNow* now = feed.haptic();
   if (now == nullptr) return;
@@ -120,13 +131,16 @@ void LiveServer::Impl::show() {
     }
   }
   const std::vector<PageId> pages = server.pages();
-  if (pages.empty() || (rows.empty() && ticks % kIdleTicks != 0)) return;
+  if (pages.empty() || (rows.empty() && owed.empty() && ticks % kIdleTicks != 0)) return;
   std::vector<std::string> messages;
   if (!rows.empty()) messages.push_back(encode_channels(rows));
   messages.push_back(encode_snapshot(snapshot_now(*now)));
   if (const WorldNow* world = world_feed.newest()) messages.push_back(encode_bodies(*world));
   for (const PageId page : pages) {
-    if (server.offer(page, messages)) show_camera(page, now->sample.device);
+    if (offer(page, messages))
+      show_camera(page, now->sample.device);
+    else if (is_rewound && !rows.empty())
+      owed[page].push_back(messages.front());
   }
 }
 

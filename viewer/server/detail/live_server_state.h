@@ -69,6 +69,7 @@ struct LiveServer::Impl {
   void tick();
   void collect_rows();
   void show();
+  bool offer(PageId page, const std::vector<std::string>& messages);
   void show_camera(PageId page, const DeviceState& device);
   void send_events();
   void remember(const SessionEvent& event);
@@ -126,6 +127,10 @@ struct LiveServer::Impl {
                 kUnknown, kUnknown, 0,        0.0,      0.0};
   TimingWindow window;
   std::vector<ChannelRow> rows;
+  // Rows of the time before a frame that was jumped to come once, as nothing runs on there. Pages
+  // that were busy just then get them later.
+  bool is_rewound = false;  // they are coming
+  std::map<PageId, std::vector<std::string>> owed;
   std::vector<double> query_times;
   std::vector<SessionEvent> events;
   std::map<PageId, Pose> told_cameras;
