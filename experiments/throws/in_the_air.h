@@ -16,7 +16,8 @@ struct AirRun {
 /// pair    0: cube over a plate, 1: ball over a ball, 2: jaws of 4,000 triangles
 /// every   haptic frames from one contact frame to the next
 /// ahead   how far a query looks at most, over what the engine allows
-/// late    how much later than a contact frame the hand sets out, over the time between two
+/// late    how much later than after 20 ms the hand sets out, over the time between two contact
+///         frames; the run is no longer for it
 AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0, double late = 0.0);
 
 /// Counts add up, of lag and force the largest stays.

@@ -12,8 +12,8 @@ namespace throws {
 namespace {
 
 constexpr const char* kWhyHeld =
-    "a query looks ahead by a tenth of the object's size at most, a millimetre of the ball, which "
-    "goes 3 mm in two models of 333 Hz; looking farther ahead it is held back less";
+    "a model holds as far as few pairs are near and as the hand wanted when it was made; one that "
+    "starts from rest wants more by the next, 3 ms later";
 constexpr std::int64_t kQuick = 200, kWhole = 10'000;
 // Where between two contact frames the hand sets out is chance: whether one comes just before a
 // touch, or just after.

@@ -109,8 +109,8 @@ class LiveServer {
   double replay_speed() const;
   /// A text message to one page.
   void send(PageId page, const std::string& message);
-  /// The samples that come next, until the next answer, are of an earlier time; every page gets all
-  /// of them.
+  /// The samples that come next, until the next answer, are of an earlier time; pages that are busy
+  /// just then get their rows later.
   void rewind();
 
   LivePorts& ports();

@@ -156,12 +156,12 @@ struct Pace {
 };
 
 /// A hand that is slow may be fast by the model after the next. Models that follow each other soon
-/// have half as far to say, and a quarter of the time to be found. Those that come late say more
-/// than is wanted now: how fast the hand will be by the next is known less. Soon is between the
-/// whole numbers of milliseconds and halves that they come after.
+/// have half as far to say, and time for fewer pairs. Those that come late say more than is wanted
+/// now: how fast the hand will be by the next is known less. Soon is between the whole numbers of
+/// milliseconds and halves that they come after.
 Pace pace_of(const ConstraintWorld& world, double period) noexcept {
   constexpr double kSoon = 1.45e-3;  // [s]
-  if (period <= kSoon) return {.least = 0.5 * world.least_look_ahead, .pairs = 300.0};
+  if (period <= kSoon) return {.least = 0.5 * world.least_look_ahead, .pairs = 350.0};
   return {.least = world.least_look_ahead, .pairs = 1200.0, .margin = 2.0, .growth = 8.0};
 }
 
@@ -177,8 +177,8 @@ double usual_period(double step_time, double before) noexcept {
   return std::max(step_time, kFade * before);
 }
 
-/// How far rows have to look ahead: what the object would go until the model after the next, in
-/// steps from the least, as far as the query stays cheap. Pairs grow with the square of it, so that
+/// How far rows have to look ahead: what the object would go until the model after the next, with
+/// the margin of the pace, in steps from the least, as far as the query stays cheap. Pairs grow with the square of it, so that
 /// steps of two would bring four times as many at once; where none were found nothing is known of
 /// how, so that it grows step by step, or as far as was free. Where surfaces lie on each other that
 /// may be less than the usual least: then the object goes in small steps, as far as was not too
