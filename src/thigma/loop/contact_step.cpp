@@ -178,12 +178,12 @@ double usual_period(double step_time, double before) noexcept {
 }
 
 /// How far rows have to look ahead: what the object would go until the model after the next, with
-/// the margin of the pace, in steps from the least, as far as the query stays cheap. Pairs grow with the square of it, so that
-/// steps of two would bring four times as many at once; where none were found nothing is known of
-/// how, so that it grows step by step, or as far as was free. Where surfaces lie on each other that
-/// may be less than the usual least: then the object goes in small steps, as far as was not too
-/// much to look at. To ask for more each time, and learn on the way that it is too much, would be
-/// most of a query's work.
+/// the margin of the pace, in steps from the least, as far as the query stays cheap. Pairs grow
+/// with the square of it, so that steps of two would bring four times as many at once; where none
+/// were found nothing is known of how, so that it grows step by step, or as far as was free. Where
+/// surfaces lie on each other that may be less than the usual least: then the object goes in small
+/// steps, as far as was not too much to look at. To ask for more each time, and learn on the way
+/// that it is too much, would be most of a query's work.
 double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
   constexpr double kStep = 1.189207115002721;  // the fourth root of two
