@@ -39,6 +39,25 @@ struct CubeOverSheet {
   CubeOverSheet& operator=(const CubeOverSheet&) = delete;
 };
 
+/// Contact frames of that cube as good as at rest on the sheet.
+struct Looking {
+  CubeOverSheet pair;
+  ContactScratch scratch;
+  ContactSample sample;
+  StampedBody body = at_height(0.01 + 1e-5);
+
+  Looking() { reserve_contact_scratch(pair.config.contact, scratch); }
+
+  /// How far the next frame looks ahead, so much later [s], where the hand wants to go so far until
+  /// the model after the next [m].
+  double after(double period, double wanted = 0.0) {
+    body.time += period;
+    body.wanted_speed = wanted / (2.0 * period);
+    contact_step(pair.config.contact, body, scratch, sample);
+    return sample.look_ahead;
+  }
+};
+
 TEST(ContactStep, MakesATermAClusterForTheStateItWasGiven) {
   const SessionConfig config = plane_session();
   ContactScratch scratch;
@@ -121,19 +140,13 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
 
 // At rest: a hand that starts has gone less far by the next model, the sooner it comes.
 TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
-  const CubeOverSheet pair;
-  const SessionConfig& config = pair.config;
-  ContactScratch scratch;
-  reserve_contact_scratch(config.contact, scratch);
-  ContactSample sample;
-  StampedBody body = at_height(0.01 + 1e-5);
+  Looking looking;
   const auto looks_after = [&](double period) {
-    body.time += period;
-    contact_step(config.contact, body, scratch, sample);
-    EXPECT_EQ(sample.rows, 4);
-    return sample.look_ahead;
+    const double ahead = looking.after(period);
+    EXPECT_EQ(looking.sample.rows, 4);
+    return ahead;
   };
-  const double least = config.contact.constraints->least_look_ahead;
+  const double least = looking.pair.config.contact.constraints->least_look_ahead;
   EXPECT_EQ(looks_after(1e-3), least);
   for (int i = 0; i < 20; ++i) looks_after(1e-3);
   EXPECT_EQ(looks_after(1e-3), 0.5 * least);
@@ -153,20 +166,10 @@ TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
     double period, margin, growth;  // [s]; of what is wanted; a model
   };
   for (const Case& c : {Case{1e-3, 1.0, 4.0}, Case{3e-3, 2.0, 8.0}}) {
-    const CubeOverSheet pair;
-    const SessionConfig& config = pair.config;
-    ContactScratch scratch;
-    reserve_contact_scratch(config.contact, scratch);
-    ContactSample sample;
-    StampedBody body = at_height(0.01 + 1e-5);
-    const auto looks = [&](double wanted) {
-      body.time += c.period;
-      body.wanted_speed = wanted / (2.0 * c.period);  // until the model after the next
-      contact_step(config.contact, body, scratch, sample);
-      return sample.look_ahead;
-    };
+    Looking looking;
+    const auto looks = [&](double wanted) { return looking.after(c.period, wanted); };
     for (int i = 0; i < 30; ++i) looks(0.0);
-    const double least = sample.look_ahead;
+    const double least = looking.sample.look_ahead;
     for (const double wanted : {1.1 * least, 1.5 * least, 1.9 * least}) {
       const double looked = looks(wanted);
       EXPECT_GE(looked, c.margin * wanted * (1.0 - 1e-12)) << c.period;
@@ -178,8 +181,8 @@ TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
     EXPECT_LE(grown, c.growth * before) << c.period;
     EXPECT_GT(grown, c.growth * before / kStep) << c.period;
     for (int i = 0; i < 3; ++i) looks(far);
-    EXPECT_GE(sample.look_ahead, c.margin * far) << c.period;
-    EXPECT_LE(sample.look_ahead, kStep * c.margin * far) << c.period;
+    EXPECT_GE(looking.sample.look_ahead, c.margin * far) << c.period;
+    EXPECT_LE(looking.sample.look_ahead, kStep * c.margin * far) << c.period;
   }
 }
 

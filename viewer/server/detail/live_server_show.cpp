@@ -109,17 +109,6 @@ void LiveServer::Impl::show_camera(PageId page, const DeviceState& device) {
   told_cameras[page] = pose;
 }
 
-/// All of the messages to a page that keeps up, after what it is owed; false: it does not.
-bool LiveServer::Impl::offer(PageId page, const std::vector<std::string>& messages) {
-  const auto late = owed.find(page);
-  if (late == owed.end()) return server.offer(page, messages);
-  std::vector<std::string> all = late->second;
-  all.insert(all.end(), messages.begin(), messages.end());
-  if (!server.offer(page, all)) return false;
-  owed.erase(late);
-  return true;
-}
-
 void LiveServer::Impl::show() {
   const HapticNow* now = feed.haptic();
   if (now == nullptr) return;
@@ -130,14 +119,15 @@ void LiveServer::Impl::show() {
       send_state();
     }
   }
+  std::erase_if(owed, [&](const auto& late) { return server.offer(late.first, late.second); });
   const std::vector<PageId> pages = server.pages();
-  if (pages.empty() || (rows.empty() && owed.empty() && ticks % kIdleTicks != 0)) return;
+  if (pages.empty() || (rows.empty() && ticks % kIdleTicks != 0)) return;
   std::vector<std::string> messages;
   if (!rows.empty()) messages.push_back(encode_channels(rows));
   messages.push_back(encode_snapshot(snapshot_now(*now)));
   if (const WorldNow* world = world_feed.newest()) messages.push_back(encode_bodies(*world));
   for (const PageId page : pages) {
-    if (offer(page, messages))
+    if (server.offer(page, messages))
       show_camera(page, now->sample.device);
     else if (is_rewound && !rows.empty())
       owed[page].push_back(messages.front());

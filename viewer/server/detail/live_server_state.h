@@ -69,7 +69,6 @@ struct LiveServer::Impl {
   void tick();
   void collect_rows();
   void show();
-  bool offer(PageId page, const std::vector<std::string>& messages);
   void show_camera(PageId page, const DeviceState& device);
   void send_events();
   void remember(const SessionEvent& event);
