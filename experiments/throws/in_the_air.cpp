@@ -12,6 +12,7 @@
 
 #include "thigma/constraint/build_constraints.h"
 #include "thigma/mesh/shapes.h"
+#include "thigma/models/conforming.h"
 
 namespace thigma::experiments {
 namespace {
@@ -31,6 +32,13 @@ LedPair air_pair(int index) {
   if (index == 1) {
     return placed_apart(
         make_led_pair("ball over ball", make_ball(0.01, 24), make_ball(0.02, 30), above),
+        -Vec3::UnitZ(), 1e-3);
+  }
+  if (index == 3) {
+    constexpr int kTriangles = 12'000;
+    return placed_apart(
+        make_led_pair("conforming discs", models::make_conforming_upper(kTriangles, 1),
+                      models::make_conforming_lower(kTriangles, 1), above),
         -Vec3::UnitZ(), 1e-3);
   }
   const Pose apart{{0.0, 0.0, 0.003}, Quat::Identity()};

@@ -13,7 +13,7 @@ struct AirRun {
   double phantom = 0.0;  // largest difference of the force from that hand's, in the air [N]
 };
 
-/// pair    0: cube over a plate, 1: ball over a ball, 2: jaws of 4,000 triangles
+/// pair    of kAirPairs: jaws of 4,000 triangles, discs of 12,000
 /// every   haptic frames from one contact frame to the next
 /// ahead   how far a query looks at most, over what the engine allows
 /// late    how much later than after 20 ms the hand sets out, over the time between two contact
@@ -23,6 +23,7 @@ AirRun run_in_the_air(int pair, double speed, int every, double ahead = 1.0, dou
 /// Counts add up, of lag and force the largest stays.
 void add_air_run(const AirRun& run, AirRun& sum);
 
-inline constexpr const char* kAirPairs[] = {"cube over plate", "ball over ball", "jaws"};
+inline constexpr const char* kAirPairs[] = {"cube over plate", "ball over ball", "jaws",
+                                            "conforming discs"};
 
 }  // namespace thigma::experiments

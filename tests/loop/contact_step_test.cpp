@@ -186,43 +186,74 @@ TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
   }
 }
 
-// Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at
-// all that is between: at rest there is none, and where more is wanted they are far apart.
-TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {
-  const ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(12'000, 1));
-  const ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(12'000, 1));
+/// A disc over one it conforms to, kept out by rows, looked at once a millisecond.
+struct Conforming {
+  ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(12'000, 1));
+  ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(12'000, 1));
   SessionConfig config;
-  config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-  config.contact.object = &upper;
-  config.contact.scene = {{&lower, Pose{}}};
-  config.contact.resolution.carry = 0.1;
-  use_constraints(config);
   ContactScratch scratch;
-  reserve_contact_scratch(config.contact, scratch);
-  // Room for all: what has none is looked at in every frame.
-  reserve_front(scratch.fronts[0], upper, lower, 300'000);
-  reserve_carried(scratch.fronts[0]);
   ContactSample sample;
   StampedBody body = at_height(-5e-5);  // of 0.1 mm between them
-  const auto tries_in = [&](int frames) {
+
+  Conforming() {
+    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+    config.contact.object = &upper;
+    config.contact.scene = {{&lower, Pose{}}};
+    config.contact.resolution.carry = 0.1;
+    use_constraints(config);
+    reserve_contact_scratch(config.contact, scratch);
+    // Room for all: what has none is looked at in every frame.
+    reserve_front(scratch.fronts[0], upper, lower, 300'000);
+    reserve_carried(scratch.fronts[0]);
+  }
+  Conforming(const Conforming&) = delete;  // the session names its surfaces
+  Conforming& operator=(const Conforming&) = delete;
+
+  void look(double period = 1e-3) {
+    body.time += period;
+    contact_step(config.contact, body, scratch, sample);
+  }
+  int tries_in(int frames) {
     constexpr int kMany = 1000;
     int count = 0;
     for (int k = 0; k < frames; ++k) {
-      body.time += 1e-3;
-      contact_step(config.contact, body, scratch, sample);
+      look();
       count += sample.tests > kMany;
     }
     return count;
-  };
-  tries_in(20);
-  ASSERT_LT(sample.look_ahead, config.contact.constraints->least_look_ahead);
-  const double looked = sample.look_ahead;
-  EXPECT_EQ(tries_in(200), 0);
-  EXPECT_EQ(sample.look_ahead, looked);
-  body.wanted_speed = 1.0;
-  const int tries = tries_in(200);
+  }
+};
+
+// Surfaces that conform have thousands of pairs a little farther than they look. Each try looks at
+// all that is between: at rest there is none, and where more is wanted they are far apart.
+TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {
+  Conforming discs;
+  discs.tries_in(20);
+  ASSERT_LT(discs.sample.look_ahead, discs.config.contact.constraints->least_look_ahead);
+  const double looked = discs.sample.look_ahead;
+  EXPECT_EQ(discs.tries_in(200), 0);
+  EXPECT_EQ(discs.sample.look_ahead, looked);
+  discs.body.wanted_speed = 1.0;
+  const int tries = discs.tries_in(200);
   EXPECT_GE(tries, 1);
   EXPECT_LE(tries, 6);
+}
+
+// A disc that is taken away at 0.1 mm a model: what lay close by is soon no reason to look no
+// farther than that, however rarely models come.
+TEST(ContactStep, LooksAsFarAsWantedSoonAfterACrowdIsLeft) {
+  for (const double period : {1e-3, 3e-3, 1e-2, 3e-2}) {
+    Conforming discs;
+    for (int k = 0; k < 20; ++k) discs.look(period);
+    const double wanted = 1e-3;
+    ASSERT_LT(discs.sample.look_ahead, 0.1 * wanted);
+    discs.body.wanted_speed = 0.5 * wanted / period;
+    for (int k = 0; k < 40; ++k) {
+      discs.body.state.position.z() += 1e-4;
+      discs.look(period);
+    }
+    EXPECT_GE(discs.sample.look_ahead, wanted) << period;
+  }
 }
 
 TEST(ContactStep, CountsWhatDoesNotFit) {

@@ -162,7 +162,7 @@ struct Pace {
 Pace pace_of(const ConstraintWorld& world, double period) noexcept {
   constexpr double kSoon = 1.45e-3;  // [s]
   if (period <= kSoon) return {.least = 0.5 * world.least_look_ahead, .pairs = 350.0};
-  return {.least = world.least_look_ahead, .pairs = 1200.0, .margin = 2.0, .growth = 8.0};
+  return {.least = world.least_look_ahead, .pairs = 600.0, .margin = 2.0, .growth = 8.0};
 }
 
 /// Over relief the query is the smaller part, and all that is near has to be known.
@@ -212,15 +212,14 @@ double found_tolerance(const std::vector<ContactFront>& fronts, double asked) no
   return asked;
 }
 
-/// What was too far is tried again some frames later, where more is wanted: a try that fails looks
-/// at all that is between.
-void note_crowd(bool is_crowded, double wanted, ContactScratch& scratch) noexcept {
-  constexpr double kReturn = 1.02;  // a frame
-  constexpr double kEnough = 2.0;   // of what is wanted
-  if (is_crowded)
-    scratch.crowded_ahead = scratch.looked_ahead;
-  else if (scratch.looked_ahead < kEnough * wanted)
-    scratch.crowded_ahead *= kReturn;
+/// What was too far is tried again after some time, where more is wanted: a try that fails looks at
+/// all that is between. Where nothing is near any more the object may have left what was.
+void return_from_crowd(double wanted, double step_time, ContactScratch& scratch) noexcept {
+  constexpr double kNear = 20.0, kFree = 200.0;  // of it in a second
+  constexpr double kEnough = 2.0;                // of what is wanted
+  if (!(scratch.looked_ahead < kEnough * wanted)) return;
+  const double rate = scratch.contacts.contacts.empty() ? kFree : kNear;
+  scratch.crowded_ahead *= 1.0 + rate * step_time;
 }
 
 /// Finest patches as near as the object wants to come until the next model, so that no coarse row
@@ -271,9 +270,12 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,
               scratch.fronts, scratch.contacts);
   const double found = found_tolerance(scratch.fronts, query.tolerance);
-  const bool is_crowded = found < query.tolerance;
-  if (is_crowded) scratch.looked_ahead = found;  // there is no relief then
-  note_crowd(is_crowded, wanted, scratch);
+  if (found < query.tolerance) {
+    scratch.looked_ahead = found;  // there is no relief then
+    scratch.crowded_ahead = found;
+  } else {
+    return_from_crowd(wanted, step_time, scratch);
+  }
   scratch.separation = scratch.looked_ahead;
   const bool is_far = scratch.contacts.contacts.empty();
   if (has_relief) limit_to_relief(world.textures, scratch.looked_ahead, scratch.contacts);
