@@ -156,7 +156,7 @@ class GpuBackend final : public DepthBackend {
       g.height[k] = k == 0 ? t.height_origin : t.height_by_at[k - 1];
     }
     Vec2 origin;
-    const HeightSpan span = start_span(patch, t, spacing, origin);
+    const HeightSpan span = start_span(patch, t, {spacing, 0.0}, origin);
     g.origin_x = origin.x();
     g.origin_y = origin.y();
     g.by_x = span.by_x;

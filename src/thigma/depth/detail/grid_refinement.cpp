@@ -183,7 +183,7 @@ void climb_to_maximum(const GridDepthParams& params, PreparedContact& prepared,
   Rivals rivals = rivals_of(sum_maps(maps.object, maps.scene, prepared.sums), grid, best);
   for (Rival& rival : rivals) look_closer(prepared, grid, reading_of(params), rival);
   double deepest = climb_from(prepared, grid.spacing(), rivals, kNoDepth, result);
-  rivals = rivals_on_rims(prepared, kRimApart * grid.spacing(), deepest);
+  rivals = rivals_on_rims(prepared, kRimApart * grid.spacing(), reading_of(params), deepest);
   for (Rival& rival : rivals) raise_to_depth(prepared, kNoDepth, rival);
   climb_from(prepared, 2.0 * kRimApart * grid.spacing(), rivals, deepest, result);
   settle_height_field(prepared, grid.spacing(), result);

@@ -1,10 +1,12 @@
 #include "thigma/depth/detail/rim_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
 #include "thigma/core/index.h"
+#include "thigma/depth/detail/triangle_rows.h"
 #include "thigma/math/plane_cross.h"
 
 namespace thigma::detail {
@@ -65,8 +67,8 @@ void sort_edges(const ProjectedPatch& patch, const PlaneBox& box,
 class RimOver {
  public:
   RimOver(const PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
-          const Vec2& apart) noexcept
-      : prepared_(prepared), rim_(rim), other_(other), apart_(apart) {}
+          const Vec2& apart, const MapReading& reading) noexcept
+      : prepared_(prepared), rim_(rim), other_(other), apart_(apart), reading_(reading) {}
 
   void add_edge(std::int32_t edge, double deepest, Rivals& rivals) const noexcept {
     const ProjectedTriangle& t = rim_.triangles[idx(edge / 3)];
@@ -106,26 +108,50 @@ class RimOver {
       const Vec2 at = place(std::clamp(i, 0, steps));
       return height_on(rim_, t, at) + height_on(other_, u, at);
     };
-    int best = 0;
-    double most = sum(0);
-    for (int i = 1; i <= steps; ++i) {
-      const double here = sum(i);
-      if (here > most) most = here, best = i;
-    }
+    const int best = highest_along(t, u, place(0), way / steps, steps + 1);
     const double tent = 0.5 * std::fabs(sum(best + 1) - sum(best - 1));
-    add_rival({most + tent, place(best), tent}, rivals);
+    add_rival({sum(best) + tent, place(best), tent}, rivals);
+  }
+
+  // The first of the highest samples of a line over both triangles.
+  int highest_along(const ProjectedTriangle& t, const ProjectedTriangle& u, const Vec2& from,
+                    const Vec2& step, int samples) const noexcept {
+    std::array<float, kMostOfLine> own, other;
+    LineRow own_line, other_line;
+    int best = 0;
+    float most = 2.0f * kEmptySample;
+    for (int first = 0; first < samples; first += kMostOfLine) {
+      const int count = std::min(kMostOfLine, samples - first);
+      const Vec2 begin = from + first * step;
+      const auto look = [&](const ProjectedPatch& patch, const ProjectedTriangle& triangle,
+                            std::array<float, kMostOfLine>& out, LineRow& line) {
+        std::fill_n(out.begin(), count, kEmptySample);
+        look_for_line(patch, triangle, begin, step, reading_, {out.data(), idx(count)}, line);
+      };
+      look(rim_, t, own, own_line);
+      look(other_, u, other, other_line);
+      raise_line(reading_, own_line);
+      raise_line(reading_, other_line);
+      for (int i = 0; i < count; ++i) {
+        const float sum = own[idx(i)] + other[idx(i)];
+        if (sum > most) most = sum, best = first + i;
+      }
+    }
+    return best;
   }
 
   const PreparedContact& prepared_;
   const ProjectedPatch &rim_, &other_;
   Vec2 apart_;
+  MapReading reading_;
 };
 
 void add_rim(PreparedContact& prepared, const ProjectedPatch& rim, const ProjectedPatch& other,
-             const Vec2& apart, double deepest, Rivals& rivals) noexcept {
+             const Vec2& apart, const MapReading& reading, double deepest,
+             Rivals& rivals) noexcept {
   std::vector<PatchEdge>& edges = prepared.edges;
   sort_edges(rim, prepared.box, edges);
-  const RimOver over_other(prepared, rim, other, apart);
+  const RimOver over_other(prepared, rim, other, apart, reading);
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
     while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
@@ -143,10 +169,11 @@ void add_rival(const Rival& rival, Rivals& rivals) noexcept {
   if (is_lower(lowest, rival)) lowest = rival;
 }
 
-Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, double deepest) noexcept {
+Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, const MapReading& reading,
+                      double deepest) noexcept {
   Rivals rivals;
-  add_rim(prepared, prepared.object, prepared.scene, apart, deepest, rivals);
-  add_rim(prepared, prepared.scene, prepared.object, apart, deepest, rivals);
+  add_rim(prepared, prepared.object, prepared.scene, apart, reading, deepest, rivals);
+  add_rim(prepared, prepared.scene, prepared.object, apart, reading, deepest, rivals);
   return rivals;
 }
 

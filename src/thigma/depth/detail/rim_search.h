@@ -28,9 +28,11 @@ void add_rival(const Rival& rival, Rivals& rivals) noexcept;
 /// out: no bound where triangles are steeper than 45 degrees or others reach over the rim.
 ///
 /// apart    of samples along an edge, along either axis; short parts have five [m]
+/// reading  of the samples: which is the highest is told as maps tell it
 /// deepest  that is known [m]
 /// Thread   [contact]; no failure. After bind_near. Allocates when a patch has more triangles than
 ///          any before.
-Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, double deepest) noexcept;
+Rivals rivals_on_rims(PreparedContact& prepared, const Vec2& apart, const MapReading& reading,
+                      double deepest) noexcept;
 
 }  // namespace thigma::detail

@@ -41,21 +41,17 @@ class QuadRows {
   /// A row to be set, and then added.
   QuadRow& next() noexcept { return filling_->rows[filling_->row_count]; }
   void add_next() noexcept {
+    if (next().count <= QuadBatch::kPart) {  // no copy: it would wait for what was just set
+      add_part(next().count);
+      return;
+    }
     const QuadRow whole = next();
     for (int done = 0; done < whole.count; done += QuadBatch::kPart) {
       QuadRow& part = next();
-      if (whole.count > QuadBatch::kPart) {
-        part = whole;
-        part.first = whole.first + done;
-        part.count = std::min(QuadBatch::kPart, whole.count - done);
-      }
-      filling_->sample_count += part.count;
-      ++filling_->row_count;
-      if (filling_->row_count < QuadBatch::kRows && filling_->sample_count < QuadBatch::kFull)
-        continue;
-      const QuadBatch* const full = filling_;
-      pass_on();
-      filling_->triangle = full->triangle;
+      part = whole;
+      part.first = whole.first + done;
+      part.count = std::min(QuadBatch::kPart, whole.count - done);
+      add_part(part.count);
     }
   }
   void finish() noexcept {
@@ -64,6 +60,14 @@ class QuadRows {
   }
 
  private:
+  void add_part(int samples) noexcept {
+    filling_->sample_count += samples;
+    ++filling_->row_count;
+    if (filling_->row_count < QuadBatch::kRows && filling_->sample_count < QuadBatch::kFull) return;
+    const QuadBatch* const full = filling_;
+    pass_on();
+    filling_->triangle = full->triangle;
+  }
   void pass_on() noexcept {
     if (filling_->row_count > 0) kernels_.locate(*filling_);
     if (waiting_->row_count > 0) kernels_.raise(*waiting_);
@@ -216,7 +220,7 @@ class TriangleRows {
   EdgeLines edges_;
 };
 
-void raise_by_texels(const Kernels& kernels, const QuadRow& row, HeightSpan& span) noexcept {
+void raise_by_texels(const Kernels& kernels, const QuadRow& row, HeightSpan span) noexcept {
   span.x = row.x;
   span.y = row.y;
   span.h = row.h_texels;
@@ -238,7 +242,7 @@ void raise_triangles(const ProjectedPatch& patch, const MapGrid& grid, const Map
     Vec2 origin;
     double low = 0.0;
     QuadTriangle triangle;
-    triangle.texels = start_span(patch, t, grid.spacing().x(), origin);
+    triangle.texels = start_span(patch, t, {grid.spacing().x(), 0.0}, origin);
     const bool has_quads = reading.has_quads && add_quads(patch, t, origin, triangle, low);
     if (has_quads) quads.begin(triangle);
     QuadRow alone;
@@ -255,6 +259,37 @@ void raise_triangles(const ProjectedPatch& patch, const MapGrid& grid, const Map
     }
   }
   quads.finish();
+}
+
+void look_for_line(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& from,
+                   const Vec2& step, const MapReading& reading, std::span<float> out,
+                   LineRow& line) noexcept {
+  Vec2 origin;
+  double low = 0.0;
+  QuadBatch& batch = line.batch;
+  batch.triangle.texels = start_span(patch, t, step, origin);
+  line.has_quads = reading.has_quads && add_quads(patch, t, origin, batch.triangle, low);
+  const Vec2 texel = t.texel_origin + t.texel_by_at * from - origin;
+  const double h = t.height_origin + t.height_by_at.dot(from);
+  QuadRow& row = batch.rows[0];
+  row.x = static_cast<float>(texel.x());
+  row.y = static_cast<float>(texel.y());
+  row.h = static_cast<float>(h + low);
+  row.h_texels = static_cast<float>(h);
+  row.first = 0;
+  row.count = static_cast<int>(out.size());
+  row.out = out.data();
+  batch.row_count = 1;
+  batch.sample_count = row.count;
+  if (line.has_quads) kernels_of(reading.width).locate(batch);
+}
+
+void raise_line(const MapReading& reading, const LineRow& line) noexcept {
+  const Kernels& kernels = kernels_of(reading.width);
+  if (line.has_quads)
+    kernels.raise(line.batch);
+  else
+    raise_by_texels(kernels, line.batch.rows[0], line.batch.triangle.texels);
 }
 
 }  // namespace thigma::detail

@@ -9,7 +9,7 @@ namespace thigma::detail {
 
 static_assert(kMixedQuad == kMixedCell);
 
-HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, double spacing,
+HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& step,
                       Vec2& origin) noexcept {
   const HapticTexture& texture = *patch.texture;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
@@ -24,9 +24,10 @@ HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& t, d
   span.texel_row = texture.width + 1;
   span.high_x = static_cast<float>(texture.width - 1 - column);
   span.high_y = static_cast<float>(texture.height - 1 - row);
-  span.by_x = static_cast<float>(t.texel_by_at(0, 0) * spacing);
-  span.by_y = static_cast<float>(t.texel_by_at(1, 0) * spacing);
-  span.by_h = static_cast<float>(t.height_by_at.x() * spacing);
+  const Vec2 by = t.texel_by_at * step;
+  span.by_x = static_cast<float>(by.x());
+  span.by_y = static_cast<float>(by.y());
+  span.by_h = static_cast<float>(t.height_by_at.dot(step));
   for (int k = 0; k < 3; ++k) span.m[k] = static_cast<float>(t.carried[k]);
   return span;
 }

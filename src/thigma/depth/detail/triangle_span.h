@@ -9,11 +9,11 @@ namespace thigma::detail {
 /// Texels, steps and direction of the spans of a triangle. Coordinates are counted from a texel of
 /// the triangle, so that single precision resolves its texels, not the map's.
 ///
-/// spacing  from one sample of a row to the next [m]
-/// origin   that texel's column and row
-/// Thread   [contact]; no failure.
+/// step    from one sample to the next [m; contact plane]
+/// origin  that texel's column and row
+/// Thread  [contact]; no failure.
 HeightSpan start_span(const ProjectedPatch& patch, const ProjectedTriangle& triangle,
-                      double spacing, Vec2& origin) noexcept;
+                      const Vec2& step, Vec2& origin) noexcept;
 
 /// Adds the quads to the spans of a triangle, `texels`; false where its heights are not to be told
 /// by them: `carried` is the normal over its cosine but for triangles steeper than 45 degrees, and
