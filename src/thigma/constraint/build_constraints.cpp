@@ -61,7 +61,7 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
   constexpr double kSlop = 3e-6;  // of the reach: 60 nm of an object of 4 cm
   world.slop = kSlop * world.reach;
-  constexpr double kLeast = 2.5e-3, kMost = 0.3;  // of the reach: what a query may cost
+  constexpr double kLeast = 2.5e-3, kMost = 1.0;  // of the reach
   world.least_look_ahead = kLeast * world.reach;
   world.most_look_ahead = kMost * world.reach;
   std::map<const ClodHierarchy*, std::shared_ptr<const SurfaceFeatures>> known;
@@ -95,16 +95,17 @@ RowReach row_reach(const ConstraintWorld& world, double travel) noexcept {
 std::int32_t take_needed_rows(std::span<const FoundRow> found, double slop, ImpliedScratch& scratch,
                               ConstraintModel& model) noexcept {
   constexpr double kKept = 0.5;  // of the gap that is kept: what a step may leave of it
-  constexpr int kHalvings = 6;
+  constexpr double kCut = 0.7071067811865476;  // two make a half
+  constexpr int kCuts = 12;
   model.rows.clear();
   std::span<const std::int32_t> needed;
-  std::int32_t halvings = 0;
-  for (; halvings <= kHalvings; ++halvings) {
+  std::int32_t cuts = 0;
+  for (; cuts <= kCuts; ++cuts) {
     const RowBounds bounds{model.travel, model.reach, kKept * slop};
-    needed = halvings == 0 ? needed_rows(found, model.state, bounds, kMaxRows, scratch)
-                           : needed_again(bounds, kMaxRows, scratch);
+    needed = cuts == 0 ? needed_rows(found, model.state, bounds, kMaxRows, scratch)
+                       : needed_again(bounds, kMaxRows, scratch);
     if (needed.size() <= kMaxRows) break;
-    model.travel *= 0.5;
+    model.travel *= kCut;
   }
   // Too many even so: nearest first, none of the others is met before the first of them.
   if (needed.size() > kMaxRows)
@@ -113,7 +114,7 @@ std::int32_t take_needed_rows(std::span<const FoundRow> found, double slop, Impl
     if (model.rows.size() == kMaxRows) break;
     model.rows.push_back(found[idx(row)].row);
   }
-  return halvings;
+  return (cuts + 1) / 2;
 }
 
 ConstraintStats build_constraints(const ConstraintWorld& world, const BodyState& state,

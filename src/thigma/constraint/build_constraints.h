@@ -93,7 +93,7 @@ RowReach row_reach(const ConstraintWorld& world, double travel) noexcept;
 /// found    of one state of the body; object points and directions in the frame of the body
 /// slop     the gap that is kept [m]
 /// model    its state, reach and travel are given; gets the rows, nearest first
-/// returns  how often its travel was halved
+/// returns  how often its travel was halved, rounded up
 /// Thread   [contact]; no failure
 std::int32_t take_needed_rows(std::span<const FoundRow> found, double slop, ImpliedScratch& scratch,
                               ConstraintModel& model) noexcept;

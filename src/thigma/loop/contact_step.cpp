@@ -153,6 +153,7 @@ struct Pace {
   double pairs = 0.0;   // within the look-ahead that are cheap to measure
   double margin = 1.0;  // of what is wanted
   double growth = 4.0;  // of the look-ahead from a model to the next, at most
+  double most = 1.0;    // of what is looked ahead at most
 };
 
 /// A hand that is slow may be fast by the model after the next. Models that follow each other soon
@@ -167,7 +168,7 @@ Pace pace_of(const ConstraintWorld& world, double period) noexcept {
 
 /// Over relief the query is the smaller part, and all that is near has to be known.
 Pace pace_over_relief(const ConstraintWorld& world) noexcept {
-  return {.least = world.least_look_ahead, .pairs = 1500.0};
+  return {.least = world.least_look_ahead, .pairs = 1500.0, .most = 0.3};
 }
 
 /// After how long models follow each other, the longest of the last ones: one that is late is not
@@ -188,20 +189,21 @@ double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
   constexpr double kStep = 1.189207115002721;  // the fourth root of two
   constexpr int kStepsDown = 20, kCrowdedStepsDown = 48;
-  const double enough = std::min(pace.margin * wanted, world.most_look_ahead);
+  const double most = pace.most * world.most_look_ahead;
+  const double enough = std::min(pace.margin * wanted, most);
+  const double free = std::min(last.crowded_ahead, last.roomy_ahead);
   const double pairs = static_cast<double>(last.contacts.contacts.size());
-  const double known =
-      std::min(std::max({pace.growth * last.looked_ahead, last.separation, world.least_look_ahead}),
-               last.crowded_ahead);
+  const double known = std::min(
+      std::max({pace.growth * last.looked_ahead, last.separation, world.least_look_ahead}), free);
   const auto is_cheap = [&](double ahead) {
     const double growth = ahead / std::max(last.looked_ahead, world.slop);
     return pairs * growth * growth <= pace.pairs && ahead <= known;
   };
   double ahead = pace.least;
   for (int i = 0; i < kStepsDown && !is_cheap(ahead); ++i) ahead /= kStep;
-  for (int i = 0; i < kCrowdedStepsDown && ahead > last.crowded_ahead; ++i) ahead /= kStep;
+  for (int i = 0; i < kCrowdedStepsDown && ahead > free; ++i) ahead /= kStep;
   while (ahead < enough && is_cheap(kStep * ahead)) ahead *= kStep;
-  return std::min(ahead, world.most_look_ahead);
+  return std::min(ahead, most);
 }
 
 /// What is left of the tolerance after the query: surfaces that conform may have had too many pairs
@@ -320,6 +322,15 @@ LikelyWay likely_way(const BodyState& now, double reach, const ConstraintScratch
   return way;
 }
 
+/// How far the next model may look: where this one holds for less than it has looked, as more rows
+/// were needed than fit, to search much farther would only take longer.
+void note_room(double least, const ConstraintStats& stats, double travel,
+               ContactScratch& scratch) noexcept {
+  constexpr double kMore = 1.5;
+  const double looked = std::max(scratch.looked_ahead, scratch.roomy_ahead);
+  scratch.roomy_ahead = kMore * (stats.halvings > 0 ? std::max(travel, least) : looked);
+}
+
 /// Rows instead of clusters.
 void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratch& scratch,
                ContactSample& sample) noexcept {
@@ -339,6 +350,8 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   work.last_state = body.state;
   const ConstraintStats stats =
       build_constraints(*world.constraints, body.state, near, work, model.constraints);
+  if (!has_relief)
+    note_room(crowded_look_ahead(*world.constraints), stats, model.constraints.travel, scratch);
   // What had no room stops the object, which would ask for as much again.
   if (stats.left_out > 0)
     scratch.crowded_ahead = std::min(scratch.crowded_ahead, 0.5 * scratch.looked_ahead);
