@@ -86,7 +86,7 @@ AirRun run_pairs(double speed, int every, int starts, Outcome& outcome) {
 void run_air(Outcome& outcome) {
   AirRun fast;
   for (const int every : {1, 3}) add_air_run(run_pairs(0.5, every, kStarts, outcome), fast);
-  for (const double ahead : {1.0, 2.0, 4.0, 8.0}) {
+  for (const double ahead : {0.25, 0.5, 1.0, 2.0}) {
     const AirRun run = run_in_the_air(1, 0.5, 3, ahead);
     add_row(outcome.tables[2],
             {ahead, as_double(run.air_held), as_double(run.near_held), 1e3 * run.lag, run.phantom});

@@ -256,6 +256,56 @@ TEST(ContactStep, LooksAsFarAsWantedSoonAfterACrowdIsLeft) {
   }
 }
 
+/// A ball over a ball of many triangles: far around its lowest point more rows are needed than fit.
+struct BallOverBall {
+  ClodHierarchy above = build_exact_hierarchy(make_ball(0.01, 24));
+  ClodHierarchy below = build_exact_hierarchy(make_ball(0.02, 30));
+  SessionConfig config;
+  ContactScratch scratch;
+  ContactSample sample;
+  StampedBody body = at_height(0.0302);
+
+  BallOverBall() {
+    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+    config.contact.object = &above;
+    config.contact.scene = {{&below, Pose{}}};
+    use_constraints(config);
+    reserve_contact_scratch(config.contact, scratch);
+  }
+  BallOverBall(const BallOverBall&) = delete;  // the session names its surfaces
+  BallOverBall& operator=(const BallOverBall&) = delete;
+};
+
+// What is searched beyond the rows that fit takes its time and says nothing.
+TEST(ContactStep, LooksNotMuchFartherThanRowsFit) {
+  BallOverBall balls;
+  constexpr double kPeriod = 3e-3, kMore = 1.5;
+  balls.body.wanted_speed = 2e-3 / (2.0 * kPeriod);
+  int cut = 0;
+  double held = 0.0;  // how far the last model held, where it was cut
+  for (int k = 0; k < 60; ++k) {
+    balls.body.time += kPeriod;
+    contact_step(balls.config.contact, balls.body, balls.scratch, balls.sample);
+    ASSERT_EQ(balls.sample.left_out, 0);
+    if (held > 0.0) {
+      EXPECT_LE(balls.sample.look_ahead, kMore * held) << k;
+      EXPECT_GT(balls.sample.look_ahead, held) << k;
+    }
+    const bool is_cut = balls.sample.travel_halvings > 0;
+    cut += is_cut;
+    held = is_cut ? balls.sample.travel : 0.0;
+    EXPECT_LE(balls.sample.travel_halvings, 1) << k;
+  }
+  EXPECT_GT(cut, 0);
+  // Gone from the ball, it may look as far as is wanted at once.
+  balls.body.state.position.z() += 0.02;
+  for (int k = 0; k < 2; ++k) {
+    balls.body.time += kPeriod;
+    contact_step(balls.config.contact, balls.body, balls.scratch, balls.sample);
+  }
+  EXPECT_GE(balls.sample.look_ahead, 2e-3);
+}
+
 TEST(ContactStep, CountsWhatDoesNotFit) {
   SessionConfig config = plane_session();
   config.contact.capacity = 3;

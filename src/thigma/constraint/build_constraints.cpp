@@ -61,7 +61,7 @@ ConstraintWorld make_constraint_world(const ClodHierarchy& object, const Pose& b
     world.reach = std::max(world.reach, transform_point(body_from_mesh, v).norm());
   constexpr double kSlop = 3e-6;  // of the reach: 60 nm of an object of 4 cm
   world.slop = kSlop * world.reach;
-  constexpr double kLeast = 2.5e-3, kMost = 1.0;  // of the reach
+  constexpr double kLeast = 2.5e-3, kMost = 0.3;  // of the reach: what a query may cost
   world.least_look_ahead = kLeast * world.reach;
   world.most_look_ahead = kMost * world.reach;
   std::map<const ClodHierarchy*, std::shared_ptr<const SurfaceFeatures>> known;

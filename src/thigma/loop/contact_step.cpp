@@ -153,7 +153,6 @@ struct Pace {
   double pairs = 0.0;   // within the look-ahead that are cheap to measure
   double margin = 1.0;  // of what is wanted
   double growth = 4.0;  // of the look-ahead from a model to the next, at most
-  double most = 1.0;    // of what is looked ahead at most
 };
 
 /// A hand that is slow may be fast by the model after the next. Models that follow each other soon
@@ -168,7 +167,7 @@ Pace pace_of(const ConstraintWorld& world, double period) noexcept {
 
 /// Over relief the query is the smaller part, and all that is near has to be known.
 Pace pace_over_relief(const ConstraintWorld& world) noexcept {
-  return {.least = world.least_look_ahead, .pairs = 1500.0, .most = 0.3};
+  return {.least = world.least_look_ahead, .pairs = 1500.0};
 }
 
 /// After how long models follow each other, the longest of the last ones: one that is late is not
@@ -189,8 +188,7 @@ double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
                   const ContactScratch& last) noexcept {
   constexpr double kStep = 1.189207115002721;  // the fourth root of two
   constexpr int kStepsDown = 20, kCrowdedStepsDown = 48;
-  const double most = pace.most * world.most_look_ahead;
-  const double enough = std::min(pace.margin * wanted, most);
+  const double enough = std::min(pace.margin * wanted, world.most_look_ahead);
   const double free = std::min(last.crowded_ahead, last.roomy_ahead);
   const double pairs = static_cast<double>(last.contacts.contacts.size());
   const double known = std::min(
@@ -203,7 +201,7 @@ double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
   for (int i = 0; i < kStepsDown && !is_cheap(ahead); ++i) ahead /= kStep;
   for (int i = 0; i < kCrowdedStepsDown && ahead > free; ++i) ahead /= kStep;
   while (ahead < enough && is_cheap(kStep * ahead)) ahead *= kStep;
-  return std::min(ahead, most);
+  return std::min(ahead, world.most_look_ahead);
 }
 
 /// What is left of the tolerance after the query: surfaces that conform may have had too many pairs
@@ -324,11 +322,15 @@ LikelyWay likely_way(const BodyState& now, double reach, const ConstraintScratch
 
 /// How far the next model may look: where this one holds for less than it has looked, as more rows
 /// were needed than fit, to search much farther would only take longer.
-void note_room(double least, const ConstraintStats& stats, double travel,
+void note_room(const ConstraintStats& stats, double least, double travel,
                ContactScratch& scratch) noexcept {
   constexpr double kMore = 1.5;
-  const double looked = std::max(scratch.looked_ahead, scratch.roomy_ahead);
-  scratch.roomy_ahead = kMore * (stats.halvings > 0 ? std::max(travel, least) : looked);
+  if (scratch.contacts.contacts.empty())
+    scratch.roomy_ahead = kInfinity;
+  else if (stats.halvings > 0)
+    scratch.roomy_ahead = kMore * std::max(travel, least);
+  else
+    scratch.roomy_ahead = kMore * std::max(scratch.looked_ahead, scratch.roomy_ahead);
 }
 
 /// Rows instead of clusters.
@@ -350,11 +352,10 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   work.last_state = body.state;
   const ConstraintStats stats =
       build_constraints(*world.constraints, body.state, near, work, model.constraints);
-  if (!has_relief)
-    note_room(crowded_look_ahead(*world.constraints), stats, model.constraints.travel, scratch);
-  // What had no room stops the object, which would ask for as much again.
-  if (stats.left_out > 0)
+  if (stats.left_out > 0)  // it stops the object, which would ask for as much again
     scratch.crowded_ahead = std::min(scratch.crowded_ahead, 0.5 * scratch.looked_ahead);
+  else if (!has_relief)
+    note_room(stats, crowded_look_ahead(*world.constraints), model.constraints.travel, scratch);
   sample.rows = stats.rows;
   sample.travel_halvings = stats.halvings;
   sample.left_out = stats.left_out;

@@ -25,7 +25,7 @@ inline constexpr int kMostOfLine = QuadBatch::kPart;
 /// In two steps, so that what one line reads comes from memory while another is looked for.
 ///
 /// from, step  of the first sample, and from one to the next [m; contact plane]
-/// out         `count` samples, raised to the heights: at most kMostOfLine
+/// out         the samples, raised to the heights: at most kMostOfLine
 /// Thread      [contact]; no failure; does not allocate. In single precision, as of render_heights.
 void look_for_line(const ProjectedPatch& patch, const ProjectedTriangle& triangle, const Vec2& from,
                    const Vec2& step, const MapReading& reading, std::span<float> out,

@@ -69,9 +69,8 @@ void take_pairs(const World& world, std::span<const BodyPairIndex> pairs, PairMo
 
 /// Most that a query may look ahead [m].
 inline double most_ahead(const World& world, const NearPair& pair) noexcept {
-  constexpr double kMost = 0.3;  // of the reach: what a query may cost
   const ConstraintWorld& constraints = pair_kind(world, pair.kind).constraints;
-  return std::clamp(pair.worth, constraints.least_look_ahead, kMost * constraints.reach);
+  return std::clamp(pair.worth, constraints.least_look_ahead, constraints.most_look_ahead);
 }
 
 /// Whether the model of a pair holds where it is now, and for a way from there [m].
