@@ -110,6 +110,73 @@ TEST(FeatureRows, WhoObeysThemMeetsNothing) {
   }
 }
 
+// With the travel of models that come late the object turns by up to 17 degrees, and by 57 where it
+// may go as far as it is wide.
+TEST(FeatureRows, NorDoesWhoGoesFarAndTurns) {
+  Random random(2027);
+  for (const double share : {0.3, 1.0}) {
+    for (const Pair& pair : pairs()) {
+      Two two(pair.object(), pair.scene());
+      const Counts counts = try_motions(two, random, 25, 60, share * two.world.reach);
+      EXPECT_EQ(counts.met_though_obeyed, 0) << pair.name << ", " << share;
+      EXPECT_GT(counts.obeyed, 200) << pair.name << ", " << share;
+      EXPECT_GT(counts.met, 50) << pair.name << ", " << share;
+    }
+  }
+}
+
+/// As far from a start along a direction as the rows of a model let a state, less a little.
+bool press(const ConstraintModel& model, const Vec3& start, const Vec3& towards, BodyState& state) {
+  constexpr double kLess = 1e-4;  // of the travel
+  double low = -model.travel, high = model.travel;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    state.position = start + middle * towards;
+    (obeys(model, state) ? low : high) = middle;
+  }
+  state.position = start + (low - kLess * model.travel) * towards;
+  return obeys(model, state) && !is_beyond(model, state);
+}
+
+// Two edges that are exactly parallel and lie over each other in part: a vertex of either keeps
+// them apart as long as nothing turns. Turned about axes between them and their normal they would
+// cross.
+TEST(FeatureRows, ParallelEdgesDoNotCrossByTurning) {
+  const Vec3 size(0.02, 0.015, 0.01), towards = Vec3(0.0, -1.0, -1.0).normalized();
+  const TriangleMesh box = make_box(size, {1, 1, 1});
+  const test::TriangleTree scene = test::build_triangle_tree(box);
+  Random random(7);
+  for (const double share : {0.05, 0.1, 0.2, 0.3}) {
+    Two two(box, box);
+    const double travel = share * two.world.reach;
+    int obeyed = 0, met = 0;
+    for (int place = 0; place < 40; ++place) {
+      const double apart = (place % 2 == 0 ? 0.3 : 0.01) * travel;
+      BodyState state;
+      state.position = {random.uniform(-0.9, 0.9) * size.x(),
+                        size.y() + apart * random.uniform(0.1, 1.0),
+                        size.z() + apart * random.uniform(0.1, 1.0)};
+      two.ask(state, travel);
+      const ConstraintModel& model = *two.model;
+      for (int k = 0; k < 400; ++k) {
+        const double lean = random.uniform(-3.2, 3.2);
+        const Vec3 axis = std::cos(lean) * Vec3::UnitX() + std::sin(lean) * towards +
+                          0.2 * random_direction(random);
+        const double angle = random.uniform(0.3, 1.0) * model.travel / model.reach;
+        state.orientation = rotation_from_vector(angle * axis.normalized());
+        const Vec3 start = model.state.position +
+                           random.uniform(-0.3, 0.3) * model.travel * Vec3::UnitX() +
+                           random.uniform(-0.2, 0.2) * model.travel * random_direction(random);
+        if (!press(model, start, towards, state)) continue;
+        ++obeyed;
+        met += test::meet(two.object, {state.position, state.orientation}, scene);
+      }
+    }
+    EXPECT_EQ(met, 0) << share;
+    EXPECT_GT(obeyed, 5000) << share;
+  }
+}
+
 TEST(FeatureRows, ANanometreAndAKilometreGiveTheSameRows) {
   std::size_t expected = 0;
   for (const double scale : {1.0, 1e-6, 1e5}) {

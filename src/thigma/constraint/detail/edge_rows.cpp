@@ -16,13 +16,15 @@ namespace {
 
 using EdgePair = RowScratch::EdgePair;
 
-// Edges more nearly parallel than this touch along a line: its ends are vertices on faces.
+// Edges more nearly parallel than this have no normal of their own. They touch along a line, whose
+// ends are vertices on faces; but the object may turn before, and then they cross: planes keep them
+// apart, not these two vertices alone.
 constexpr double kParallel = 1e-6;
 
 /// Two edges where they are, in the frame of the scene's mesh.
 struct PlacedPair {
   std::int32_t object = -1, scene = -1;  // edges
-  int sign = 1;  // of the object's direction x the scene's, to point into the scene
+  int sign = 1;  // of the object's direction x the scene's, to point into the scene; 0: parallel
   Vec3 object_tail = Vec3::Zero(), object_head = Vec3::Zero();
   Vec3 scene_tail = Vec3::Zero(), scene_head = Vec3::Zero();
   NearestOnSegments nearest;
@@ -34,13 +36,28 @@ struct PlacedPair {
   Vec3 on_scene() const noexcept { return scene_tail + nearest.second * (scene_head - scene_tail); }
 };
 
+/// Whether one of two parallel edges lies in front of the other, by their cones of normals but for
+/// what turning may do.
+bool are_facing(const RowSearch& search, const ConvexEdge& e,
+                const RowScratch::EdgeCone& f) noexcept {
+  const SurfaceFeatures &a = *search.object.features, &b = *search.scene.features;
+  const Vec3 from =
+      transform_point(search.object_from_scene, b.vertices[idx(b.edges[idx(f.edge)].tail)]) -
+      a.vertices[idx(e.tail)];
+  const Vec3 way = from - e.direction.dot(from) * e.direction;
+  const double most = (search.cone_slack + kParallel) * way.norm() + search.rounding;
+  return way.dot(e.into_left) <= most && way.dot(e.into_right) <= most &&
+         way.dot(f.into_left) >= -most && way.dot(f.into_right) >= -most;
+}
+
 /// Whether the edges may be the first to touch, by their cones of normals but for what turning may
 /// do; then the sign of the object's direction x the scene's.
 bool may_touch(const RowSearch& search, const ConvexEdge& e, const RowScratch::EdgeCone& f,
                int& sign) noexcept {
   const Vec3 cross = e.direction.cross(f.direction);
   const ConesMeet cones = meet(cross, e, f, search.cone_slack);
-  if (cones.sine < kParallel) return false;
+  sign = 0;
+  if (cones.sine < kParallel) return are_facing(search, e, f);
   // Where turning may make either true: the sign that points out of the one and into the other.
   const auto points_out = [&] {
     const Vec3& outward = search.scene.features->edges[idx(f.edge)].outward;
@@ -130,7 +147,8 @@ bool is_met(RowScratch& scratch, const EdgePair& pair) noexcept {
 /// A row of the two lines, where they are nearest inside of both edges.
 bool has_edge_row(const RowSearch& search, const PlacedPair& pair, FoundRow& row) noexcept {
   const auto is_inside = [](double share) { return share > 0.0 && share < 1.0; };
-  if (!is_inside(pair.nearest.first) || !is_inside(pair.nearest.second)) return false;
+  if (pair.sign == 0 || !is_inside(pair.nearest.first) || !is_inside(pair.nearest.second))
+    return false;
   row = edge_row(search, pair);
   // On the wrong side: through each other by an error of the last steps, or beside each other and
   // only able to touch once they have turned. Then what is apart stays apart.
