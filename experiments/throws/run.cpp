@@ -29,6 +29,10 @@ ThrowCount throw_all(const ThrowWorld& world, std::uint64_t seed, std::int64_t t
 
 double as_double(std::int64_t n) { return static_cast<double>(n); }
 
+double share(std::int64_t part, std::int64_t all) {
+  return as_double(part) / std::max(1.0, as_double(all));
+}
+
 void add(const char* response, const ThrowCount& count, Outcome& outcome) {
   for (std::size_t i = 0; i < kThrowEvery.size(); ++i) {
     add_row(outcome.tables[0],
@@ -95,7 +99,7 @@ void run_air(Outcome& outcome) {
       at_most("air-held", "frames held back in the air, 0.5 m/s, contacts at 1000 and 333 Hz",
               fast.air_held, 0.0),
       at_most("near-held", "share of the frames held back within 5 mm of contact, the same",
-              as_double(fast.near_held) / std::max(1.0, as_double(fast.near_frames)), 0.01),
+              share(fast.near_held, fast.near_frames), 0.01),
       at_most("lag", "how far behind in the air the object is for the scene's sake, over the speed",
               1e3 * fast.lag, 3.0, "ms"),
       at_most("phantom", "force in the air that is there for the scene's sake", fast.phantom, 0.02,
@@ -117,11 +121,9 @@ void run_air(Outcome& outcome) {
                            "share of the frames in the air in which conforming discs, which have "
                            "thousands of pairs near when they touch, are held back, 0.5 m/s, "
                            "contacts at 1000 and 333 Hz",
-                           as_double(discs.air_held) / std::max(1.0, as_double(discs.air_frames)),
-                           0.02));
-  claims.push_back(
-      stated("discs-near", "the same within 5 mm of contact",
-             as_double(discs.near_held) / std::max(1.0, as_double(discs.near_frames))));
+                           share(discs.air_held, discs.air_frames), 0.02));
+  claims.push_back(stated("discs-near", "the same within 5 mm of contact",
+                          share(discs.near_held, discs.near_frames)));
   for (Claim& claim : claims) outcome.claims.push_back(std::move(claim));
 }
 

@@ -23,39 +23,41 @@ StampedBody at_height(double z) {
   return at;
 }
 
-/// A cube of 2 cm over a flat sheet, kept out by rows.
-struct CubeOverSheet {
-  ClodHierarchy cube = build_exact_hierarchy(make_box({0.02, 0.02, 0.02}));
-  ClodHierarchy sheet = build_exact_hierarchy(make_sheet(0.08, 0.08, 4, 4));
+/// Two surfaces, one above the other and kept out of it by rows, and contact frames of them.
+struct KeptOut {
+  ClodHierarchy above, below;
   SessionConfig config;
-
-  CubeOverSheet() {
-    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-    config.contact.object = &cube;
-    config.contact.scene = {{&sheet, Pose{}}};
-    use_constraints(config);
-  }
-  CubeOverSheet(const CubeOverSheet&) = delete;  // the session names its surfaces
-  CubeOverSheet& operator=(const CubeOverSheet&) = delete;
-};
-
-/// Contact frames of that cube as good as at rest on the sheet.
-struct Looking {
-  CubeOverSheet pair;
   ContactScratch scratch;
   ContactSample sample;
-  StampedBody body = at_height(0.01 + 1e-5);
+  StampedBody body;
 
-  Looking() { reserve_contact_scratch(pair.config.contact, scratch); }
+  KeptOut(const TriangleMesh& object, const TriangleMesh& scene, double height)
+      : above(build_exact_hierarchy(object)),
+        below(build_exact_hierarchy(scene)),
+        body(at_height(height)) {
+    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
+    config.contact.object = &above;
+    config.contact.scene = {{&below, Pose{}}};
+    use_constraints(config);
+    reserve_contact_scratch(config.contact, scratch);
+  }
+  KeptOut(const KeptOut&) = delete;  // the session names its surfaces
+  KeptOut& operator=(const KeptOut&) = delete;
 
   /// How far the next frame looks ahead, so much later [s], where the hand wants to go so far until
   /// the model after the next [m].
-  double after(double period, double wanted = 0.0) {
+  double look(double period, double wanted = 0.0) {
     body.time += period;
     body.wanted_speed = wanted / (2.0 * period);
-    contact_step(pair.config.contact, body, scratch, sample);
+    contact_step(config.contact, body, scratch, sample);
     return sample.look_ahead;
   }
+};
+
+/// A cube of 2 cm over a flat sheet, as good as at rest on it.
+struct CubeOverSheet : KeptOut {
+  CubeOverSheet()
+      : KeptOut(make_box({0.02, 0.02, 0.02}), make_sheet(0.08, 0.08, 4, 4), 0.01 + 1e-5) {}
 };
 
 TEST(ContactStep, MakesATermAClusterForTheStateItWasGiven) {
@@ -100,15 +102,13 @@ TEST(ContactStep, ClustersKeepTheirIdsOverFrames) {
 }
 
 TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
-  const CubeOverSheet pair;
-  const SessionConfig& config = pair.config;
-  ContactScratch scratch;
-  reserve_contact_scratch(config.contact, scratch);
-  ContactSample sample;
-  contact_step(config.contact, at_height(0.02), scratch, sample);
+  CubeOverSheet cube;
+  const SessionConfig& config = cube.config;
+  ContactSample& sample = cube.sample;
+  contact_step(config.contact, at_height(0.02), cube.scratch, sample);
   EXPECT_EQ(sample.rows, 0);
   EXPECT_GT(sample.travel, 1e-3);  // free as far as the traversal has proven
-  contact_step(config.contact, at_height(0.01 + 1e-5), scratch, sample);
+  contact_step(config.contact, at_height(0.01 + 1e-5), cube.scratch, sample);
   EXPECT_EQ(sample.rows, 4);
   EXPECT_EQ(sample.model.constraints.rows.size(), 4u);
   EXPECT_EQ(sample.travel_halvings, 0);
@@ -140,13 +140,13 @@ TEST(ContactStep, TellsOfTheRowsOfItsModelAndOfWhatHadNoRoom) {
 
 // At rest: a hand that starts has gone less far by the next model, the sooner it comes.
 TEST(ContactStep, LooksHalfAsFarWhereModelsComeSoon) {
-  Looking looking;
+  CubeOverSheet cube;
   const auto looks_after = [&](double period) {
-    const double ahead = looking.after(period);
-    EXPECT_EQ(looking.sample.rows, 4);
+    const double ahead = cube.look(period);
+    EXPECT_EQ(cube.sample.rows, 4);
     return ahead;
   };
-  const double least = looking.pair.config.contact.constraints->least_look_ahead;
+  const double least = cube.config.contact.constraints->least_look_ahead;
   EXPECT_EQ(looks_after(1e-3), least);
   for (int i = 0; i < 20; ++i) looks_after(1e-3);
   EXPECT_EQ(looks_after(1e-3), 0.5 * least);
@@ -166,10 +166,10 @@ TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
     double period, margin, growth;  // [s]; of what is wanted; a model
   };
   for (const Case& c : {Case{1e-3, 1.0, 4.0}, Case{3e-3, 2.0, 8.0}}) {
-    Looking looking;
-    const auto looks = [&](double wanted) { return looking.after(c.period, wanted); };
+    CubeOverSheet cube;
+    const auto looks = [&](double wanted) { return cube.look(c.period, wanted); };
     for (int i = 0; i < 30; ++i) looks(0.0);
-    const double least = looking.sample.look_ahead;
+    const double least = cube.sample.look_ahead;
     for (const double wanted : {1.1 * least, 1.5 * least, 1.9 * least}) {
       const double looked = looks(wanted);
       EXPECT_GE(looked, c.margin * wanted * (1.0 - 1e-12)) << c.period;
@@ -181,43 +181,28 @@ TEST(ContactStep, LooksNoFartherThanWantedByMoreThanAStep) {
     EXPECT_LE(grown, c.growth * before) << c.period;
     EXPECT_GT(grown, c.growth * before / kStep) << c.period;
     for (int i = 0; i < 3; ++i) looks(far);
-    EXPECT_GE(looking.sample.look_ahead, c.margin * far) << c.period;
-    EXPECT_LE(looking.sample.look_ahead, kStep * c.margin * far) << c.period;
+    EXPECT_GE(cube.sample.look_ahead, c.margin * far) << c.period;
+    EXPECT_LE(cube.sample.look_ahead, kStep * c.margin * far) << c.period;
   }
 }
 
-/// A disc over one it conforms to, kept out by rows, looked at once a millisecond.
-struct Conforming {
-  ClodHierarchy upper = build_exact_hierarchy(models::make_conforming_upper(12'000, 1));
-  ClodHierarchy lower = build_exact_hierarchy(models::make_conforming_lower(12'000, 1));
-  SessionConfig config;
-  ContactScratch scratch;
-  ContactSample sample;
-  StampedBody body = at_height(-5e-5);  // of 0.1 mm between them
-
-  Conforming() {
-    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-    config.contact.object = &upper;
-    config.contact.scene = {{&lower, Pose{}}};
+/// A disc over one it conforms to, with 0.1 mm between them.
+struct Conforming : KeptOut {
+  Conforming()
+      : KeptOut(models::make_conforming_upper(12'000, 1), models::make_conforming_lower(12'000, 1),
+                -5e-5) {
     config.contact.resolution.carry = 0.1;
-    use_constraints(config);
-    reserve_contact_scratch(config.contact, scratch);
     // Room for all: what has none is looked at in every frame.
-    reserve_front(scratch.fronts[0], upper, lower, 300'000);
+    reserve_front(scratch.fronts[0], above, below, 300'000);
     reserve_carried(scratch.fronts[0]);
   }
-  Conforming(const Conforming&) = delete;  // the session names its surfaces
-  Conforming& operator=(const Conforming&) = delete;
 
-  void look(double period = 1e-3) {
-    body.time += period;
-    contact_step(config.contact, body, scratch, sample);
-  }
-  int tries_in(int frames) {
+  /// Frames in which much was looked at, a millisecond each.
+  int tries_in(int frames, double wanted = 0.0) {
     constexpr int kMany = 1000;
     int count = 0;
     for (int k = 0; k < frames; ++k) {
-      look();
+      look(1e-3, wanted);
       count += sample.tests > kMany;
     }
     return count;
@@ -233,8 +218,7 @@ TEST(ContactStep, LooksFartherInACrowdOnlyWhereMoreIsWanted) {
   const double looked = discs.sample.look_ahead;
   EXPECT_EQ(discs.tries_in(200), 0);
   EXPECT_EQ(discs.sample.look_ahead, looked);
-  discs.body.wanted_speed = 1.0;
-  const int tries = discs.tries_in(200);
+  const int tries = discs.tries_in(200, 2e-3);
   EXPECT_GE(tries, 1);
   EXPECT_LE(tries, 6);
 }
@@ -247,49 +231,27 @@ TEST(ContactStep, LooksAsFarAsWantedSoonAfterACrowdIsLeft) {
     for (int k = 0; k < 20; ++k) discs.look(period);
     const double wanted = 1e-3;
     ASSERT_LT(discs.sample.look_ahead, 0.1 * wanted);
-    discs.body.wanted_speed = 0.5 * wanted / period;
     for (int k = 0; k < 40; ++k) {
       discs.body.state.position.z() += 1e-4;
-      discs.look(period);
+      discs.look(period, wanted);
     }
     EXPECT_GE(discs.sample.look_ahead, wanted) << period;
   }
 }
 
-/// A ball over a ball of many triangles: far around its lowest point more rows are needed than fit.
-struct BallOverBall {
-  ClodHierarchy above = build_exact_hierarchy(make_ball(0.01, 24));
-  ClodHierarchy below = build_exact_hierarchy(make_ball(0.02, 30));
-  SessionConfig config;
-  ContactScratch scratch;
-  ContactSample sample;
-  StampedBody body = at_height(0.0302);
-
-  BallOverBall() {
-    config.haptic.body = make_body(0.01, 1e-6 * Mat3::Identity());
-    config.contact.object = &above;
-    config.contact.scene = {{&below, Pose{}}};
-    use_constraints(config);
-    reserve_contact_scratch(config.contact, scratch);
-  }
-  BallOverBall(const BallOverBall&) = delete;  // the session names its surfaces
-  BallOverBall& operator=(const BallOverBall&) = delete;
-};
-
-// What is searched beyond the rows that fit takes its time and says nothing.
+// What is searched beyond the rows that fit takes its time and says nothing. Far around the lowest
+// point of a ball over a ball of many triangles more rows are needed.
 TEST(ContactStep, LooksNotMuchFartherThanRowsFit) {
-  BallOverBall balls;
-  constexpr double kPeriod = 3e-3, kMore = 1.5;
-  balls.body.wanted_speed = 2e-3 / (2.0 * kPeriod);
+  KeptOut balls(make_ball(0.01, 24), make_ball(0.02, 30), 0.0302);
+  constexpr double kPeriod = 3e-3, kMore = 1.5, kWanted = 2e-3;
   int cut = 0;
   double held = 0.0;  // how far the last model held, where it was cut
   for (int k = 0; k < 60; ++k) {
-    balls.body.time += kPeriod;
-    contact_step(balls.config.contact, balls.body, balls.scratch, balls.sample);
+    const double looked = balls.look(kPeriod, kWanted);
     ASSERT_EQ(balls.sample.left_out, 0);
     if (held > 0.0) {
-      EXPECT_LE(balls.sample.look_ahead, kMore * held) << k;
-      EXPECT_GT(balls.sample.look_ahead, held) << k;
+      EXPECT_LE(looked, kMore * held) << k;
+      EXPECT_GT(looked, held) << k;
     }
     const bool is_cut = balls.sample.travel_halvings > 0;
     cut += is_cut;
@@ -299,11 +261,8 @@ TEST(ContactStep, LooksNotMuchFartherThanRowsFit) {
   EXPECT_GT(cut, 0);
   // Gone from the ball, it may look as far as is wanted at once.
   balls.body.state.position.z() += 0.02;
-  for (int k = 0; k < 2; ++k) {
-    balls.body.time += kPeriod;
-    contact_step(balls.config.contact, balls.body, balls.scratch, balls.sample);
-  }
-  EXPECT_GE(balls.sample.look_ahead, 2e-3);
+  for (int k = 0; k < 2; ++k) balls.look(kPeriod, kWanted);
+  EXPECT_GE(balls.sample.look_ahead, kWanted);
 }
 
 TEST(ContactStep, CountsWhatDoesNotFit) {

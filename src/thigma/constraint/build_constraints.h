@@ -79,6 +79,19 @@ struct ConstraintStats {
   std::int32_t halvings = 0;
 };
 
+/// How far the next query is worth asking for. A model of which more rows are needed than fit holds
+/// for less than was looked, and what was searched beyond was in vain; else more may be tried.
+///
+/// travel   that the model holds for [m]
+/// looked   by its query, or what was worth asking for, the larger [m]
+/// more     so many times as far may be tried, > 1
+/// returns  [m]
+/// Thread   any
+inline double worth_asking(const ConstraintStats& stats, double travel, double looked,
+                           double more) noexcept {
+  return more * (stats.halvings > 0 ? travel : looked);
+}
+
 /// Room for so many contacts, candidates and rows a frame.
 /// Thread [offline]; throws std::bad_alloc.
 void reserve_constraints(const ConstraintWorld& world, std::size_t capacity,

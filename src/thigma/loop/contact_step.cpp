@@ -189,7 +189,7 @@ double look_ahead(const ConstraintWorld& world, double wanted, const Pace& pace,
   constexpr double kStep = 1.189207115002721;  // the fourth root of two
   constexpr int kStepsDown = 20, kCrowdedStepsDown = 48;
   const double enough = std::min(pace.margin * wanted, world.most_look_ahead);
-  const double free = std::min(last.crowded_ahead, last.roomy_ahead);
+  const double free = std::min(last.crowded_ahead, last.worth_ahead);
   const double pairs = static_cast<double>(last.contacts.contacts.size());
   const double known = std::min(
       std::max({pace.growth * last.looked_ahead, last.separation, world.least_look_ahead}), free);
@@ -320,17 +320,13 @@ LikelyWay likely_way(const BodyState& now, double reach, const ConstraintScratch
   return way;
 }
 
-/// How far the next model may look: where this one holds for less than it has looked, as more rows
-/// were needed than fit, to search much farther would only take longer.
-void note_room(const ConstraintStats& stats, double least, double travel,
-               ContactScratch& scratch) noexcept {
+/// How far the next model is worth looking; where nothing is near there are no rows to have room.
+double worth_ahead(const ConstraintWorld& world, const ConstraintStats& stats, double travel,
+                   const ContactScratch& last) noexcept {
   constexpr double kMore = 1.5;
-  if (scratch.contacts.contacts.empty())
-    scratch.roomy_ahead = kInfinity;
-  else if (stats.halvings > 0)
-    scratch.roomy_ahead = kMore * std::max(travel, least);
-  else
-    scratch.roomy_ahead = kMore * std::max(scratch.looked_ahead, scratch.roomy_ahead);
+  if (last.contacts.contacts.empty()) return kInfinity;
+  return worth_asking(stats, std::max(travel, crowded_look_ahead(world)),
+                      std::max(last.looked_ahead, last.worth_ahead), kMore);
 }
 
 /// Rows instead of clusters.
@@ -355,7 +351,7 @@ void make_rows(const ContactWorld& world, const StampedBody& body, ContactScratc
   if (stats.left_out > 0)  // it stops the object, which would ask for as much again
     scratch.crowded_ahead = std::min(scratch.crowded_ahead, 0.5 * scratch.looked_ahead);
   else if (!has_relief)
-    note_room(stats, crowded_look_ahead(*world.constraints), model.constraints.travel, scratch);
+    scratch.worth_ahead = worth_ahead(*world.constraints, stats, model.constraints.travel, scratch);
   sample.rows = stats.rows;
   sample.travel_halvings = stats.halvings;
   sample.left_out = stats.left_out;

@@ -39,7 +39,7 @@ struct ContactScratch {
   double looked_ahead = 0.0;                       // tolerance of the last query for rows [m]
   double separation = 0.0;       // of what that query did not report, at least [m]
   double crowded_ahead = 1e300;  // look-ahead that had too many pairs; grows again [m]
-  double roomy_ahead = 1e300;    // the same for rows that did not fit
+  double worth_ahead = 1e300;    // beyond, more rows are needed than fit; grows again [m]
 };
 
 /// Room for world.capacity contacts and a front a static object: all that find_contacts needs.

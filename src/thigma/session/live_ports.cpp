@@ -89,7 +89,7 @@ void exchange_contacts(ContactReplacement& other, ContactWorld& world,
   next.looked_ahead = scratch.looked_ahead;
   next.separation = scratch.separation;
   next.crowded_ahead = scratch.crowded_ahead;
-  next.roomy_ahead = scratch.roomy_ahead;
+  next.worth_ahead = scratch.worth_ahead;
   other.world.response = world.response;  // as they were tuned
   other.world.most_friction = world.most_friction;
   std::swap(other.world, world);

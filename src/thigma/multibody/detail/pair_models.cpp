@@ -213,7 +213,7 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
   constexpr double kAgain = 2.0;
   if (pair.exact_within == 0.0)
     pair.worth =
-        kAgain * (stats.halvings > 0 ? pair.model.travel : std::max(pair.worth, query.tolerance));
+        worth_asking(stats, pair.model.travel, std::max(pair.worth, query.tolerance), kAgain);
   const Friction friction =
       friction_between(world.bodies[idx(pair.first)], world.bodies[idx(pair.second)]);
   for (ContactRow& row : pair.model.rows)
