@@ -114,6 +114,7 @@ TEST(QuadRows, every_width_gives_the_same_bits_mixed_cells_among_them) {
     const auto raised = [&](auto locate, auto raise) {
       std::vector<float> out = before;
       for (int row = 0; row < batch.row_count; ++row) batch.rows[row].out = out.data() + 64 * row;
+      batch.triangle.end = out.data() + out.size();
       locate(batch);
       raise(batch);
       return out;

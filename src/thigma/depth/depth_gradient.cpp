@@ -39,7 +39,7 @@ struct MaximumPlace {
   const SurfaceJet& object;
   const SurfaceJet& scene;
   const Vec2& at;
-  detail::NearTriangles near;  // where it was found
+  detail::NearFeet near;  // where it was found
 };
 
 // Whether the maximum is held at a point by the end of a side's domain: the depth would still rise
@@ -52,7 +52,7 @@ int edge_at(const GradientScratch& scratch, const MaximumPlace& place, double te
   if (!(length > 0.0)) return 0;
   constexpr double kBeyond = 0.25;  // of a texel: twice what the climb to the maximum leaves
   const Vec2 beyond = place.at + (kBeyond * texel / length) * rising;
-  detail::NearTriangles near = place.near;
+  detail::NearFeet near = place.near;
   if (height_at(scratch.object, beyond, near.object) == kNoSurface) return -1;
   return height_at(scratch.scene, beyond, near.scene) == kNoSurface ? 1 : 0;
 }
@@ -65,9 +65,9 @@ int crease_at(const GradientScratch& scratch, const MaximumPlace& place, double 
   const double length = rising.norm();
   if (!(length > 0.0)) return 0;
   const Vec2 step = (texel / length) * rising;
-  const auto change = [&](const ProjectedPatch& patch, std::int32_t triangle) {
-    const SurfaceJet before = surface_jet(patch, place.at - step, triangle),
-                     after = surface_jet(patch, place.at + step, triangle);
+  const auto change = [&](const ProjectedPatch& patch, SurfaceFoot foot) {
+    const SurfaceJet before = surface_jet(patch, place.at - step, foot),
+                     after = surface_jet(patch, place.at + step, foot);
     return before.is_covered && after.is_covered ? (after.slope - before.slope).norm()
                                                  : std::numeric_limits<double>::infinity();
   };
@@ -82,7 +82,7 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
                           GradientScratch& scratch) noexcept {
   const double texel = detail::finer_texel(contact);
   double weights = 0.0;
-  detail::NearTriangles triangles;  // of the last place
+  detail::NearFeet feet;  // of the last place
   const NearMaximum only{sample.at, 1.0};
   const NearMaximum* first = is_smoothed ? sample.near.begin() : &only;
   const NearMaximum* last = is_smoothed ? sample.near.end() : &only + 1;
@@ -95,10 +95,10 @@ DepthGradient by_envelope(const DepthContact& contact, const DepthSamples& sampl
   detail::project_sides(contact, sample.frame, over, scratch.object, scratch.scene);
   DepthGradient sum;
   for (const NearMaximum* near = first; near != last; ++near) {
-    const SurfaceJet object = surface_jet(scratch.object, near->at, triangles.object);
-    const SurfaceJet scene = surface_jet(scratch.scene, near->at, triangles.scene);
+    const SurfaceJet object = surface_jet(scratch.object, near->at, feet.object);
+    const SurfaceJet scene = surface_jet(scratch.scene, near->at, feet.scene);
     if (!object.is_covered || !scene.is_covered) continue;
-    const MaximumPlace place{object, scene, near->at, triangles};
+    const MaximumPlace place{object, scene, near->at, feet};
     int edge = edge_at(scratch, place, texel);
     const SmoothPeak peak = smooth_peak(object, scene, texel);
     if (edge == 0 && !peak.is_near) edge = crease_at(scratch, place, texel);

@@ -28,7 +28,7 @@ class GridDepth final : public DepthBackend {
   void sample_contact(const DepthContact& contact, const DepthRequest& request,
                       DepthSamples& result) noexcept {
     result = DepthSamples{};
-    if (!detail::prepare_contact(contact, prepared_)) return;
+    if (!detail::prepare_within_box(contact, prepared_)) return;
     result.frame = prepared_.frame;
     const MapGrid grid{prepared_.box, params_.resolution, params_.resolution};
     render_heights(prepared_.object, grid, reading_of(params_), object_);

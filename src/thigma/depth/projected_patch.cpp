@@ -123,11 +123,11 @@ struct Below {
   Found found = Found::none;
 };
 
+// place: where it starts and ends.
 Found look_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,
                  Vec2& place) noexcept {
   constexpr int kMostSteps = 12;
   const double close = kClose * (t.box.high - t.box.low).lpNorm<1>();
-  place = at;
   for (int k = 0; k < kMostSteps; ++k) {
     // Beside the triangle texels are of others: its nearest point stands in. The way there gets no
     // longer by that.
@@ -195,14 +195,19 @@ Below highest_coarse(const ProjectedPatch& patch, const Vec2& at, int& sheets) n
 
 // The highest sheet over a point; sheets: how many there are, counted only where not the first is
 // taken.
-Below find_highest(const ProjectedPatch& patch, const Vec2& at, std::int32_t near,
+Below find_highest(const ProjectedPatch& patch, const Vec2& at, const SurfaceFoot& foot,
                    int& sheets) noexcept {
   Below best;
   sheets = 1;
+  const std::int32_t near = foot.triangle;
   const bool has_guess = near >= 0 && near < static_cast<std::int32_t>(patch.triangles.size());
-  if (has_guess && may_cover(patch.triangles[static_cast<std::size_t>(near)], at) &&
-      find_below(patch, patch.triangles[static_cast<std::size_t>(near)], at, best.place))
-    return {near, best.place, Found::on};
+  if (has_guess && may_cover(patch.triangles[static_cast<std::size_t>(near)], at)) {
+    best.place = at + foot.aside;
+    if (look_below(patch, patch.triangles[static_cast<std::size_t>(near)], at, best.place) ==
+        Found::on)
+      return {near, best.place, Found::on};
+    best = {};
+  }
   sheets = 0;
   double highest = kNoSurface;
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
@@ -228,6 +233,10 @@ Below find_beside(const ProjectedPatch& patch, const Vec2& at, int& sheets) noex
     if (around.triangle >= 0) return around;
   }
   return highest_coarse(patch, at, sheets);
+}
+
+SurfaceFoot foot_of(const Below& below, const Vec2& at) noexcept {
+  return {below.triangle, below.found == Found::on ? Vec2(below.place - at) : Vec2(Vec2::Zero())};
 }
 
 // Slope over the plane of what rises by `rises` a texel while it moves by `moves`.
@@ -344,6 +353,23 @@ bool is_hidden(const ProjectedPatch& patch, const Corners& corners) noexcept {
   return size > 0.0 && !(sign_of(patch.facing) * normal.z() > kEdgeOn * size);
 }
 
+// Where a patch lies and which way it looks; no triangles yet.
+void place_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
+                 ProjectedPatch& patch) noexcept {
+  const Pose& world_from_body = side.world_from_body;
+  patch.texture = side.texture;
+  patch.facing = facing;
+  const Mat3 world_from_axes = world_from_body.orientation.toRotationMatrix();
+  patch.contact_from_body = frame.world_from_contact.transpose() * world_from_axes;
+  patch.direction_body = sign_of(facing) * patch.contact_from_body.row(2).transpose();
+  patch.shift = frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
+}
+
+void add_box(PlaneBox& box, const Corners& corners) noexcept {
+  box.low = box.low.cwiseMin(corners.box.low);
+  box.high = box.high.cwiseMax(corners.box.high);
+}
+
 double highest(const ProjectedPatch& patch, const Corners& c) noexcept {
   const double direction = sign_of(patch.facing);
   return std::max({direction * c.at[0].z(), direction * c.at[1].z(), direction * c.at[2].z()});
@@ -383,18 +409,12 @@ ContactFrame contact_frame(const Vec3& origin, const Vec3& normal) noexcept {
 
 void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
                    ProjectedPatch& patch, const PlaneBox& over) noexcept {
-  const Pose& world_from_body = side.world_from_body;
-  patch.texture = side.texture;
-  patch.facing = facing;
   patch.triangles.clear();
   patch.around.clear();
   patch.hidden.clear();
   patch.box = {};
-  const Mat3 world_from_axes = world_from_body.orientation.toRotationMatrix();
-  patch.contact_from_body = frame.world_from_contact.transpose() * world_from_axes;
-  patch.direction_body = sign_of(facing) * patch.contact_from_body.row(2).transpose();
+  place_patch(side, frame, facing, patch);
   patch.sideways = sideways_of(side.texture->pyramid.back().cells.front(), patch.contact_from_body);
-  patch.shift = frame.world_from_contact.transpose() * (world_from_body.position - frame.origin);
   ProjectedTriangle projected;
   for (const std::int32_t index : side.triangles) {
     const Corners corners = corners_of(patch, index);
@@ -403,8 +423,7 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
       patch.hidden.push_back({corners.box, highest(patch, corners), index});
     } else if (project_triangle(patch, corners, index, projected)) {
       patch.triangles.push_back(projected);
-      patch.box.low = patch.box.low.cwiseMin(corners.box.low);
-      patch.box.high = patch.box.high.cwiseMax(corners.box.high);
+      add_box(patch.box, corners);
     }
   }
   const PlaneBox own = intersection(patch.box, over);
@@ -414,6 +433,17 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
     if (project_triangle(patch, corners, index, projected) && overlap(projected.fine, own))
       patch.around.push_back(projected);
   }
+}
+
+PlaneBox patch_box(const TexturedPatch& side, const ContactFrame& frame, Facing facing) noexcept {
+  ProjectedPatch patch;
+  place_patch(side, frame, facing, patch);
+  PlaneBox box;
+  for (const std::int32_t index : side.triangles) {
+    const Corners corners = corners_of(patch, index);
+    if (!is_hidden(patch, corners) && area_of(corners).norm() > 0.0) add_box(box, corners);
+  }
+  return box;
 }
 
 bool is_height_field(const ProjectedPatch& patch, const PlaneBox& over) noexcept {
@@ -440,30 +470,38 @@ double most_relief(const ProjectedPatch& patch, const ProjectedTriangle& t) noex
 
 bool find_below(const ProjectedPatch& patch, const ProjectedTriangle& t, const Vec2& at,
                 Vec2& place) noexcept {
+  place = at;
   return look_below(patch, t, at, place) == Found::on;
 }
 
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
+  SurfaceFoot foot{near};
+  const double height = height_at(patch, at, foot);
+  near = foot.triangle;
+  return height;
+}
+
+double height_at(const ProjectedPatch& patch, const Vec2& at, SurfaceFoot& near) noexcept {
   int sheets = 0;
   Below below = find_highest(patch, at, near, sheets);
   if (below.triangle < 0) below = find_beside(patch, at, sheets);
   // A height to first order may be above all that is there: no place to climb to.
   if (below.triangle < 0 || below.found == Found::none) return kNoSurface;
-  near = below.triangle;
+  near = foot_of(below, at);
   return height_below(patch, below, at);
 }
 
 SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept {
-  std::int32_t near = -1;
+  SurfaceFoot near;
   return surface_jet(patch, at, near);
 }
 
-SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept {
+SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, SurfaceFoot& near) noexcept {
   int sheets = 0;
   Below below = find_highest(patch, at, near, sheets);
   if (below.triangle < 0) below = find_beside(patch, at, sheets);
   if (below.triangle < 0) return {};
-  near = below.triangle;
+  near = foot_of(below, at);
   SurfaceJet jet = jet_below(patch, below, at);
   jet.is_height_field = jet.is_height_field && sheets <= 1;
   return jet;

@@ -121,6 +121,10 @@ struct TexturedPatch {
 void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
                    ProjectedPatch& patch, const PlaneBox& over = kWholePlane) noexcept;
 
+/// The box that project_patch gives a patch over the whole plane, without projecting its triangles.
+/// Thread  [contact]; no failure.
+PlaneBox patch_box(const TexturedPatch& side, const ContactFrame& frame, Facing facing) noexcept;
+
 /// A triangle of a patch by the index that height_at finds: of `triangles`, then of `around`.
 inline const ProjectedTriangle& projected_triangle(const ProjectedPatch& patch,
                                                    std::int32_t index) noexcept {
@@ -141,6 +145,12 @@ bool is_overhung(const ProjectedPatch& patch, const Vec2& at, double height,
 
 inline constexpr double kNoSurface = -std::numeric_limits<double>::infinity();
 
+/// Where the coarse point of a fine one was found.
+struct SurfaceFoot {
+  std::int32_t triangle = -1;  // as of projected_triangle
+  Vec2 aside = Vec2::Zero();   // of the coarse point from the place of the fine one [m]
+};
+
 /// Height of the fine surface over a point of the plane along the facing direction (Eq. 4.9) [m];
 /// kNoSurface where the patch does not lie, the largest where several sheets do. What the
 /// displacement moves sideways is followed back: the fine point is the one over `at`, of whatever
@@ -155,6 +165,9 @@ inline constexpr double kNoSurface = -std::numeric_limits<double>::infinity();
 /// Thread    [contact]; no failure.
 /// Source    Eq. 4.9. Deviates: D86.
 double height_at(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
+
+/// The same from a foot beside, which is fewer steps.
+double height_at(const ProjectedPatch& patch, const Vec2& at, SurfaceFoot& near) noexcept;
 
 /// To first order in what the displacement moves sideways, of one projected triangle, inside or
 /// not: the displacement of the coarse point over `at`, carried along the triangle, at 45 degrees
@@ -188,6 +201,6 @@ SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at) noexcept;
 
 /// The same; near: as of height_at. Where the sheet of `near` is taken, further ones are not
 /// counted.
-SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, std::int32_t& near) noexcept;
+SurfaceJet surface_jet(const ProjectedPatch& patch, const Vec2& at, SurfaceFoot& near) noexcept;
 
 }  // namespace thigma

@@ -98,6 +98,24 @@ void raise_four(const SpanLanes& s, int k) noexcept {
 
 }  // namespace
 
+void raise_sample_sse2(const HeightSpan& span, const RowStart& row, int k) noexcept {
+  const auto held = [](float at, float high) {
+    return _mm_cvtss_f32(
+        _mm_min_ss(_mm_max_ss(_mm_set_ss(at), _mm_setzero_ps()), _mm_set_ss(high)));
+  };
+  const float step = static_cast<float>(k);
+  const float x = held(row.x + step * span.by_x, span.high_x),
+              y = held(row.y + step * span.by_y, span.high_y);
+  const std::int32_t column = static_cast<std::int32_t>(x), line = static_cast<std::int32_t>(y);
+  const float* const top = span.texels + 4 * (line * span.texel_row + column);
+  const __m128 d = blend(top, top + 4 * span.texel_row, _mm_set1_ps(x - static_cast<float>(column)),
+                         _mm_set1_ps(y - static_cast<float>(line)));
+  const __m128 m = _mm_mul_ps(_mm_setr_ps(span.m[0], span.m[1], span.m[2], 0.0f), d);
+  const __m128 along = _mm_add_ss(_mm_add_ss(m, _mm_shuffle_ps(m, m, 0x55)), _mm_movehl_ps(m, m));
+  const float height = (row.h + step * span.by_h) + _mm_cvtss_f32(along);
+  row.out[k] = height > row.out[k] ? height : row.out[k];
+}
+
 void raise_span_scalar(const HeightSpan& span) noexcept {
   raise_samples(span, span.first, span.first + span.count);
 }
@@ -105,7 +123,8 @@ void raise_span_scalar(const HeightSpan& span) noexcept {
 void raise_span_sse2(const HeightSpan& span) noexcept {
   const int last = span.first + span.count;
   if (span.count < 4) {
-    raise_samples(span, span.first, last);
+    for (int k = span.first; k < last; ++k)
+      raise_sample_sse2(span, {span.x, span.y, span.h, span.out}, k);
     return;
   }
   const SpanLanes lanes = lanes_of(span);

@@ -27,4 +27,13 @@ void raise_span_scalar(const HeightSpan& span) noexcept;
 void raise_span_sse2(const HeightSpan& span) noexcept;
 void raise_span_avx2(const HeightSpan& span) noexcept;  // only where the processor has AVX2
 
+/// Where a row's samples start and go: what HeightSpan has of the same names.
+struct RowStart {
+  float x = 0.0f, y = 0.0f, h = 0.0f;
+  float* out = nullptr;
+};
+
+/// Raises sample k of a row, a texel a load; x, y, h and out are the row's. The same bits.
+void raise_sample_sse2(const HeightSpan& span, const RowStart& row, int k) noexcept;
+
 }  // namespace thigma::detail

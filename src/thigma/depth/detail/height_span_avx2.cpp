@@ -87,9 +87,13 @@ __m256 heights(const Lanes& s, int k) {
 }  // namespace
 
 void raise_span_avx2(const HeightSpan& span) noexcept {
-  const Lanes lanes = lanes_of(span);
   const int last = span.first + span.count;
   int k = span.first;
+  if (span.count < 4) {  // masked stores take longer
+    for (; k < last; ++k) raise_sample_sse2(span, {span.x, span.y, span.h, span.out}, k);
+    return;
+  }
+  const Lanes lanes = lanes_of(span);
   for (; k + 8 <= last; k += 8) {
     float* const out = lanes.out + k;
     // The order of the operands is that of the scalar comparison.

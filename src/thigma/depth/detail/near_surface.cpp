@@ -21,18 +21,22 @@ bool may_cover(const ProjectedTriangle& t, const Vec2& at) noexcept {
          cross(t.edges[2], at - t.at[2]) >= t.least[2];
 }
 
-/// A displacement in the contact frame and its derivatives by the texel: along u, v and the facing
-/// direction [m, m/texel].
-struct TurnedFacet {
-  Eigen::Vector4f value, by_x, by_y;
+/// The displacements over a cell of texels in the contact frame, along u, v and the facing
+/// direction: first + x right + y down + x y twist, x and y from its first texel [m].
+struct TurnedCell {
+  Eigen::Vector4f first, right, down, twist;
+  Vec2 at = Vec2::Zero();  // the place asked for, from the first texel
 };
 
-TurnedFacet facet_at(const NearSurface& s, const Vec2& texel) noexcept {
+/// Along the plane.
+Vec2 sideways(const Eigen::Vector4f& v) noexcept { return v.head<2>().cast<double>(); }
+double upwards(const Eigen::Vector4f& v) noexcept { return static_cast<double>(v[2]); }
+
+TurnedCell cell_at(const NearSurface& s, const Vec2& texel) noexcept {
   const HapticTexture& texture = *s.patch->texture;
   const double x = texel.x() > 0.0 ? std::min(texel.x(), texture.width - 1.0) : 0.0;
   const double y = texel.y() > 0.0 ? std::min(texel.y(), texture.height - 1.0) : 0.0;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
-  const float ax = static_cast<float>(x - column), ay = static_cast<float>(y - row);
   const auto load = [](const Texel& t) {
     return Eigen::Vector4f(Eigen::Map<const Eigen::Vector4f, Eigen::Aligned16>(&t.x));
   };
@@ -41,12 +45,10 @@ TurnedFacet facet_at(const NearSurface& s, const Vec2& texel) noexcept {
   const Eigen::Vector4f first = load(top[0]), right = load(top[1]) - first,
                         down = load(bottom[0]) - first,
                         twist = load(bottom[1]) - load(top[1]) - down;
-  const Eigen::Vector4f by_x = right + ay * twist, by_y = down + ax * twist;
-  const Eigen::Vector4f value = first + ay * down + ax * by_x;
   const auto turned = [&](const Eigen::Vector4f& v) {
     return Eigen::Vector4f(v[0] * s.turn[0] + v[1] * s.turn[1] + v[2] * s.turn[2]);
   };
-  return {turned(value), turned(by_x), turned(by_y)};
+  return {turned(first), turned(right), turned(down), turned(twist), {x - column, y - row}};
 }
 
 double height_of(const NearSurface& s, const ProjectedTriangle& t, const Vec2& place) noexcept {
@@ -76,6 +78,40 @@ double height_by_find(const NearSurface& s, const ProjectedTriangle& t, const Ve
   return height_of(s, t, place);
 }
 
+enum class Look : std::uint8_t { found, elsewhere, turns_over };
+
+/// Looks within a cell for the coarse point whose fine one lies over a place; elsewhere: in another
+/// cell, further on from there.
+///
+/// place   where it starts and ends
+/// relief  what the displacement adds to the height
+Look look_in_cell(const TurnedCell& cell, const ProjectedTriangle& t, const Vec2& at, double close,
+                  Vec2& place, double& relief) noexcept {
+  constexpr int kSteps = 6;
+  const Vec2 first = sideways(cell.first), right = sideways(cell.right), down = sideways(cell.down),
+             twist = sideways(cell.twist);
+  Vec2 a = cell.at;
+  for (int k = 0; k < kSteps; ++k) {
+    const Vec2 by_x = right + a.y() * twist;
+    const Vec2 lack = at - place - (first + a.y() * down + a.x() * by_x);
+    Mat2 by_texel;
+    by_texel << by_x, down + a.x() * twist;
+    const Mat2 moves = Mat2::Identity() + by_texel * t.texel_by_at;
+    const double turn = moves.determinant();
+    if (!(turn > kTurnsOver)) return Look::turns_over;
+    const Vec2 step = Vec2(cross(lack, moves.col(1)), cross(moves.col(0), lack)) / turn;
+    place += step;
+    a += t.texel_by_at * step;
+    if (step.lpNorm<1>() <= close) {
+      relief = upwards(cell.first) + a.y() * upwards(cell.down) +
+               a.x() * (upwards(cell.right) + a.y() * upwards(cell.twist));
+      return Look::found;
+    }
+    if (!((a.array() >= 0.0).all() && (a.array() <= 1.0).all())) break;
+  }
+  return Look::elsewhere;
+}
+
 /// Height of a triangle's fine surface over a place; kNoSurface where it does not lie. Where that
 /// is hard to tell find_below does.
 double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2& at,
@@ -85,29 +121,25 @@ double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2&
   for (int k = 0; k < kSteps; ++k) {
     const double inside = insideness(t, place);
     const bool is_on = inside >= 0.0;
-    const TurnedFacet f =
-        facet_at(s, t.texel_origin + t.texel_by_at * (is_on ? place : clamped(t, place)));
-    const Vec2 lack = at - place - f.value.head<2>().cast<double>();
+    const TurnedCell cell =
+        cell_at(s, t.texel_origin + t.texel_by_at * (is_on ? place : clamped(t, place)));
     if (!is_on) {
+      const Vec2& a = cell.at;
+      const Vec2 lack = at - place -
+                        sideways(cell.first + static_cast<float>(a.y()) * cell.down +
+                                 static_cast<float>(a.x()) *
+                                     (cell.right + static_cast<float>(a.y()) * cell.twist));
       if (lack.lpNorm<1>() <= s.close && inside < -coordinates_of(t, 2.0 * s.close))
         return kNoSurface;
       place += lack;
       continue;
     }
-    Mat2 by_texel;
-    by_texel << f.by_x.head<2>().cast<double>(), f.by_y.head<2>().cast<double>();
-    const Mat2 moves = Mat2::Identity() + by_texel * t.texel_by_at;
-    const double turn = moves.determinant();
-    if (!(turn > kTurnsOver)) break;
-    const Vec2 step = Vec2(cross(lack, moves.col(1)), cross(moves.col(0), lack)) / turn;
-    place += step;
-    if (!(step.lpNorm<1>() <= s.close)) continue;
-    if (insideness(t, place) < 0.0) break;
+    double relief = 0.0;
+    const Look look = look_in_cell(cell, t, at, s.close, place, relief);
+    if (look == Look::elsewhere) continue;
+    if (look == Look::turns_over || insideness(t, place) < 0.0) break;
     foot.aside = place - at;
-    const Vec2 texels = t.texel_by_at * step;
-    return t.height_origin + t.height_by_at.dot(place) + static_cast<double>(f.value[2]) +
-           static_cast<double>(f.by_x[2]) * texels.x() +
-           static_cast<double>(f.by_y[2]) * texels.y();
+    return t.height_origin + t.height_by_at.dot(place) + relief;
   }
   return height_by_find(s, t, at, foot);
 }

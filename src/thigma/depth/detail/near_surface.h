@@ -9,11 +9,7 @@
 
 namespace thigma::detail {
 
-/// Where the coarse point of a fine one was found.
-struct NearFoot {
-  std::int32_t triangle = -1;  // as of projected_triangle
-  Vec2 aside = Vec2::Zero();   // of the coarse point from the place of the fine one [m]
-};
+using NearFoot = SurfaceFoot;
 
 /// Of both sides of a contact.
 struct NearFeet {

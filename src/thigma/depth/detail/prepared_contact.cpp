@@ -25,6 +25,24 @@ double relief_texel(const HapticTexture& texture) noexcept {
   return texture.amplitude > 0.0 ? texture.texel_size : std::numeric_limits<double>::infinity();
 }
 
+// The frame and the texel; false where there is nothing to compute.
+bool begin_contact(const DepthContact& contact, PreparedContact& prepared) noexcept {
+  if (!is_usable(contact.object) || !is_usable(contact.scene)) return false;
+  if (!contact.point.allFinite() || !contact.centre.allFinite()) return false;
+  if (!is_direction(contact.normal)) return false;
+  prepared.frame = contact_frame(contact.point, contact.normal);
+  const double texel =
+      std::min(relief_texel(*contact.object.texture), relief_texel(*contact.scene.texture));
+  // no relief: a corner of one side may be the deepest place
+  prepared.texel = std::isfinite(texel) ? texel : 0.0;
+  return true;
+}
+
+PlaneBox shared_box(const PlaneBox& object, const PlaneBox& scene, double reach) noexcept {
+  const Vec2 within = Vec2::Constant(reach);
+  return intersection(intersection(object, scene), {-within, within});
+}
+
 }  // namespace
 
 void project_sides(const DepthContact& contact, const ContactFrame& frame, const PlaneBox& over,
@@ -38,19 +56,22 @@ double finer_texel(const DepthContact& contact) noexcept {
 }
 
 bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noexcept {
-  if (!is_usable(contact.object) || !is_usable(contact.scene)) return false;
-  if (!contact.point.allFinite() || !contact.centre.allFinite()) return false;
-  if (!is_direction(contact.normal)) return false;
-  prepared.frame = contact_frame(contact.point, contact.normal);
+  if (!begin_contact(contact, prepared)) return false;
   project_sides(contact, prepared.frame, kWholePlane, prepared.object, prepared.scene);
-  const Vec2 reach = Vec2::Constant(contact.reach);
+  prepared.box = shared_box(prepared.object.box, prepared.scene.box, contact.reach);
+  return !prepared.box.is_empty();
+}
+
+bool prepare_within_box(const DepthContact& contact, PreparedContact& prepared) noexcept {
+  if (!begin_contact(contact, prepared)) return false;
   prepared.box =
-      intersection(intersection(prepared.object.box, prepared.scene.box), {-reach, reach});
+      shared_box(patch_box(contact.object, prepared.frame, Facing::along),
+                 patch_box(contact.scene, prepared.frame, Facing::against), contact.reach);
   if (prepared.box.is_empty()) return false;
-  const double texel =
-      std::min(relief_texel(*contact.object.texture), relief_texel(*contact.scene.texture));
-  // no relief: a corner of one side may be the deepest place
-  prepared.texel = std::isfinite(texel) ? texel : 0.0;
+  // Whether something hangs over a place is asked of a texel around it.
+  const Vec2 around = Vec2::Constant(2.0 * prepared.texel);
+  const PlaneBox over{prepared.box.low - around, prepared.box.high + around};
+  project_sides(contact, prepared.frame, over, prepared.object, prepared.scene);
   return true;
 }
 

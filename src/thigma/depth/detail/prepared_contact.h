@@ -40,6 +40,9 @@ double finer_texel(const DepthContact& contact) noexcept;
 /// number is not finite.
 bool prepare_contact(const DepthContact& contact, PreparedContact& prepared) noexcept;
 
+/// The same without what lies beside the box: for those who look nowhere else.
+bool prepare_within_box(const DepthContact& contact, PreparedContact& prepared) noexcept;
+
 /// The object once more, at a configuration; the scene and the box stay.
 void project_moved(const DepthContact& contact, const Pose& motion,
                    PreparedContact& prepared) noexcept;

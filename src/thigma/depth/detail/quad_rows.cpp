@@ -70,7 +70,7 @@ void raise_four(const QuadBatch& batch, const RowAt& at, int i) noexcept {
   _mm_store_ps(heights, height);
   for (int k = 0; k < 4 && i + k < row.count; ++k) {
     if ((mixed >> k) & 1) {
-      raise_mixed(t, row, row.first + i + k);
+      raise_mixed_sse2(t, row, row.first + i + k);
     } else {
       out[k] = heights[k] > out[k] ? heights[k] : out[k];
     }
@@ -88,6 +88,10 @@ void raise_mixed(const QuadTriangle& triangle, const QuadRow& row, int k) noexce
   one.count = 1;
   one.out = row.out;
   raise_span_scalar(one);
+}
+
+void raise_mixed_sse2(const QuadTriangle& triangle, const QuadRow& row, int k) noexcept {
+  raise_sample_sse2(triangle.texels, {row.x, row.y, row.h_texels, row.out}, k);
 }
 
 void locate_scalar(QuadBatch& batch) noexcept {

@@ -22,6 +22,7 @@ struct QuadTriangle {
   float by_x = 0.0f, by_y = 0.0f;
   float by_h = 0.0f, by_step = 0.0f;  // [m]
   HeightSpan texels;                  // the same by displacements, for samples over mixed cells
+  const float* end = nullptr;         // of the samples of all rows: wide steps stay before it
 };
 
 /// A row's part of it.
@@ -56,7 +57,9 @@ void raise_scalar(const QuadBatch& batch) noexcept;
 void raise_sse2(const QuadBatch& batch) noexcept;
 void raise_avx2(const QuadBatch& batch) noexcept;
 
-/// Raises sample k of a row by its texels, by the scalar definition: what stands for a mixed cell.
+/// Raises sample k of a row by its texels: what stands for a mixed cell. By the scalar definition,
+/// and to the same bits a texel a load.
 void raise_mixed(const QuadTriangle& triangle, const QuadRow& row, int k) noexcept;
+void raise_mixed_sse2(const QuadTriangle& triangle, const QuadRow& row, int k) noexcept;
 
 }  // namespace thigma::detail

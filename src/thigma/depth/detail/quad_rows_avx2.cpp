@@ -59,20 +59,27 @@ __m256 heights(const QuadBatch& batch, const Lanes& s, int place, __m256 coarse,
 }
 
 // Eight samples of a row, or fewer, of which some may lie over mixed cells. Coordinates are held
-// within the map, so lanes beyond the end read what is there; they are not written.
+// within the map, so lanes beyond the end read what is there; what they write is what was there.
 __attribute__((noinline)) void raise_some(const QuadTriangle& t, const QuadRow& row, int i,
-                                          __m256 height, int mixed) {
-  alignas(32) float heights[8];
-  _mm256_store_ps(heights, height);
+                                          __m256 height, __m256i is_mixed) {
   float* const out = row.out + row.first + i;
   const int count = row.count - i < 8 ? row.count - i : 8;
-  for (int k = 0; k < count; ++k) {
-    if ((mixed >> k) & 1) {
-      raise_mixed(t, row, row.first + i + k);
-    } else {
-      out[k] = heights[k] > out[k] ? heights[k] : out[k];
-    }
+  const __m256i is_of_row =
+      _mm256_cmpgt_epi32(_mm256_set1_epi32(count), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  const __m256 raised = _mm256_castsi256_ps(_mm256_andnot_si256(is_mixed, is_of_row));
+  if (t.end - out >= 8) {
+    const __m256 old = _mm256_loadu_ps(out);
+    _mm256_storeu_ps(out, _mm256_blendv_ps(old, _mm256_max_ps(height, old), raised));
+  } else {
+    alignas(32) float heights[8];
+    _mm256_store_ps(heights, height);
+    const int lanes = _mm256_movemask_ps(raised);
+    for (int k = 0; k < count; ++k)
+      if ((lanes >> k) & 1) out[k] = heights[k] > out[k] ? heights[k] : out[k];
   }
+  int mixed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_and_si256(is_mixed, is_of_row)));
+  for (; mixed != 0; mixed &= mixed - 1)
+    raise_mixed_sse2(t, row, row.first + i + __builtin_ctz(static_cast<unsigned>(mixed)));
 }
 
 // Does eight samples at a time, the last ones once more with some of what was done, which changes
@@ -136,7 +143,7 @@ void raise_avx2(const QuadBatch& batch) noexcept {
         // The order of the operands is that of the scalar comparison.
         _mm256_storeu_ps(out + i, _mm256_max_ps(height, _mm256_loadu_ps(out + i)));
       } else {
-        raise_some(t, *row, i, height, _mm256_movemask_ps(_mm256_castsi256_ps(mixed)));
+        raise_some(t, *row, i, height, mixed);
       }
     });
     begin += count;

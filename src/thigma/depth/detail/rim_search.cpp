@@ -54,6 +54,8 @@ void sort_edges(const ProjectedPatch& patch, const PlaneBox& box,
     if (!overlap(patch.triangles[i].box, box)) continue;
     const auto& corners = patch.texture->coarse.triangles[idx(patch.triangles[i].triangle)];
     for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 &a = patch.triangles[i].at[k], &b = patch.triangles[i].at[(k + 1) % 3];
+      if (!overlap({a.cwiseMin(b), a.cwiseMax(b)}, box)) continue;
       const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
       edges.push_back({low, high, static_cast<std::int32_t>(3 * i + k)});
     }

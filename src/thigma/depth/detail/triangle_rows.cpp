@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include <emmintrin.h>
+
 #include "thigma/depth/detail/quad_rows.h"
 #include "thigma/depth/detail/triangle_span.h"
 #include "thigma/math/plane_cross.h"
@@ -80,37 +82,39 @@ class QuadRows {
   QuadBatch *filling_ = &batches_[0], *waiting_ = &batches_[1];
 };
 
-// An edge of a triangle as a line u(v): what lies over the triangle is on one side of it.
-struct EdgeLine {
-  double u = 0.0, v = 0.0;  // of its first corner
-  double by_v = 0.0;
+// Two edges of a triangle as lines u(v), of which the first has it on its right and the second on
+// its left, with -u in place of u: what lies over the triangle is beyond both.
+struct EdgePair {
+  __m128d u, v;  // of their first corners
+  __m128d by_v;
 };
 
-// The edges of a triangle that have it on their right, and those that have it on their left; one
-// that lies within a row bounds no row.
-struct EdgeLines {
-  std::array<EdgeLine, 3> left, right;
-  int left_count = 0, right_count = 0;
-};
-
-EdgeLines edge_lines(const ProjectedTriangle& t) noexcept {
-  EdgeLines lines;
+// The edges of a triangle in two pairs, the same twice where there is one on a side. An edge that
+// lies within a row bounds no row.
+std::array<EdgePair, 2> edge_pairs(const ProjectedTriangle& t) noexcept {
+  double u[2][2] = {}, v[2][2] = {}, by_v[2][2] = {};
+  int count[2] = {0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2& a = t.at[k];
     const double rise = t.at[(k + 1) % 3].y() - a.y();
     if (rise == 0.0) continue;
-    const EdgeLine line{a.x(), a.y(), (t.at[(k + 1) % 3].x() - a.x()) / rise};
-    if (t.edges[k].y() < 0.0) {
-      lines.left[static_cast<std::size_t>(lines.left_count++)] = line;
-    } else {
-      lines.right[static_cast<std::size_t>(lines.right_count++)] = line;
+    const double by = (t.at[(k + 1) % 3].x() - a.x()) / rise;
+    const int side = t.edges[k].y() < 0.0 ? 0 : 1;
+    const double sign = side == 0 ? 1.0 : -1.0;
+    for (int pair = count[side]++; pair < 2; ++pair) {
+      u[pair][side] = sign * a.x();
+      v[pair][side] = a.y();
+      by_v[pair][side] = sign * by;
     }
   }
-  return lines;
+  std::array<EdgePair, 2> pairs;
+  for (std::size_t k = 0; k < 2; ++k)
+    pairs[k] = {_mm_loadu_pd(u[k]), _mm_loadu_pd(v[k]), _mm_loadu_pd(by_v[k])};
+  return pairs;
 }
 
-double at_height(const EdgeLine& line, double v) noexcept {
-  return line.u + (v - line.v) * line.by_v;
+__m128d at_height(const EdgePair& pair, __m128d v) noexcept {
+  return _mm_add_pd(pair.u, _mm_mul_pd(_mm_sub_pd(v, pair.v), pair.by_v));
 }
 
 double inside_of_edge(const ProjectedTriangle& t, std::size_t k, const Vec2& at) noexcept {
@@ -148,17 +152,16 @@ class TriangleRows {
         per_u_(1.0 / grid.spacing().x()),
         first_u_(grid.at(0, 0).x()),
         columns_(grid.columns) {
-    const auto along_row = [&](double origin, double by_u, double by_v) {
-      return Affine{origin, by_u * first_u_, by_v};
-    };
-    x_ = along_row(t.texel_origin.x(), t.texel_by_at(0, 0), t.texel_by_at(0, 1));
-    y_ = along_row(t.texel_origin.y(), t.texel_by_at(1, 0), t.texel_by_at(1, 1));
-    h_ = along_row(t.height_origin, t.height_by_at.x(), t.height_by_at.y());
+    texel_ = {_mm_loadu_pd(t.texel_origin.data()),
+              _mm_set_pd(t.texel_by_at(1, 0) * first_u_, t.texel_by_at(0, 0) * first_u_),
+              _mm_set_pd(t.texel_by_at(1, 1), t.texel_by_at(0, 1))};
+    height_ = {_mm_set1_pd(t.height_origin), _mm_set1_pd(t.height_by_at.x() * first_u_),
+               _mm_set1_pd(t.height_by_at.y())};
     std::tie(bottom_, top_) = std::minmax({t.at[0].y(), t.at[1].y(), t.at[2].y()});
     is_whole_ = has_inside(t, grid.box);
     last_row_ = grid.rows - 1;
     if (is_whole_) return;
-    edges_ = edge_lines(t);
+    edges_ = edge_pairs(t);
     const auto row_of = [&](double v) { return (v - low_v_) / spacing_v_ - 0.5; };
     first_row_ = first_index(row_of(bottom_), grid.rows);
     last_row_ = end_index(row_of(top_), grid.rows) - 1;
@@ -172,27 +175,41 @@ class TriangleRows {
   /// origin  that the texels are counted from
   /// lowest  of the quads [m]
   bool set_row(int row, const Vec2& origin, double lowest, QuadRow& part) const noexcept {
-    const double v = low_v_ + spacing_v_ * (row + 0.5);
+    const __m128d v = _mm_set1_pd(low_v_ + spacing_v_ * (row + 0.5));
     part.first = 0;
     part.count = columns_;
     if (!is_whole_) {
-      const double within = std::min(std::max(v, bottom_), top_);
-      double low = at_height(edges_.left[0], within), high = at_height(edges_.right[0], within);
-      if (edges_.left_count > 1) low = std::max(low, at_height(edges_.left[1], within));
-      if (edges_.right_count > 1) high = std::min(high, at_height(edges_.right[1], within));
-      part.first = first_index((low - first_u_) * per_u_, columns_);
-      part.count = end_index((high - first_u_) * per_u_, columns_) - part.first;
+      set_ends(v, part);
       if (part.count <= 0) return false;
     }
-    const double h = h_.at(v);
-    part.x = static_cast<float>(x_.at(v) - origin.x());
-    part.y = static_cast<float>(y_.at(v) - origin.y());
-    part.h = static_cast<float>(h + lowest);
-    part.h_texels = static_cast<float>(h);
+    const __m128d h = height_.at(v), texel = _mm_sub_pd(texel_.at(v), _mm_loadu_pd(origin.data()));
+    const __m128d both = _mm_add_pd(h, _mm_set_pd(0.0, lowest));
+    alignas(16) float start[4];
+    _mm_store_ps(start, _mm_movelh_ps(_mm_cvtpd_ps(texel), _mm_cvtpd_ps(both)));
+    part.x = start[0];
+    part.y = start[1];
+    part.h = start[2];
+    part.h_texels = start[3];
     return true;
   }
 
  private:
+  // The first sample of a row on the triangle, and how many there are; none or fewer where there is
+  // none. Places that are no numbers have none. Without branches: where rows end nothing foretells.
+  void set_ends(__m128d v, QuadRow& part) const noexcept {
+    const __m128d within = _mm_min_pd(_mm_max_pd(v, _mm_set1_pd(bottom_)), _mm_set1_pd(top_));
+    const __m128d low_high = _mm_max_pd(at_height(edges_[0], within), at_height(edges_[1], within));
+    const __m128d turned = _mm_set_pd(-0.0, 0.0);  // -u is u again
+    const __m128d u = _mm_xor_pd(low_high, turned);
+    const __m128d cells = _mm_mul_pd(_mm_sub_pd(u, _mm_set1_pd(first_u_)), _mm_set1_pd(per_u_));
+    const __m128d from = _mm_add_pd(cells, _mm_set_pd(1.0 + kSpanOverlap, -kSpanOverlap));
+    const __m128d held = _mm_min_pd(_mm_max_pd(from, _mm_setzero_pd()), _mm_set1_pd(columns_));
+    const __m128i whole = _mm_cvttpd_epi32(held);
+    const int is_above = _mm_movemask_pd(_mm_cmpgt_pd(held, _mm_cvtepi32_pd(whole)));
+    part.first = _mm_cvtsi128_si32(whole) + (is_above & 1);
+    part.count = _mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 1)) - part.first;
+  }
+
   // The first of `count` indices from a place on, and the one after the last up to it; whatever the
   // place, also where it is no number.
   static int first_index(double cells, int count) noexcept {
@@ -207,17 +224,19 @@ class TriangleRows {
 
   /// At the first sample of a row: origin + (by_u u + by_v v).
   struct Affine {
-    double origin = 0.0, by_first_u = 0.0, by_v = 0.0;
-    double at(double v) const noexcept { return origin + (by_first_u + by_v * v); }
+    __m128d origin, by_first_u, by_v;
+    __m128d at(__m128d v) const noexcept {
+      return _mm_add_pd(origin, _mm_add_pd(by_first_u, _mm_mul_pd(by_v, v)));
+    }
   };
 
-  Affine x_, y_, h_;
+  Affine texel_, height_;
   double low_v_ = 0.0, spacing_v_ = 1.0, per_u_ = 1.0, first_u_ = 0.0;  // [m], [1/m]
   int columns_ = 0;
   double bottom_ = 0.0, top_ = 0.0;
   int first_row_ = 0, last_row_ = -1;
   bool is_whole_ = false;  // all samples lie on the triangle
-  EdgeLines edges_;
+  std::array<EdgePair, 2> edges_;
 };
 
 void raise_by_texels(const Kernels& kernels, const QuadRow& row, HeightSpan span) noexcept {
@@ -244,6 +263,7 @@ void raise_triangles(const ProjectedPatch& patch, const MapGrid& grid, const Map
     QuadTriangle triangle;
     triangle.texels = start_span(patch, t, {grid.spacing().x(), 0.0}, origin);
     const bool has_quads = reading.has_quads && add_quads(patch, t, origin, triangle, low);
+    triangle.end = map.heights.data() + map.heights.size();
     if (has_quads) quads.begin(triangle);
     QuadRow alone;
     float* out = map.heights.data() + static_cast<std::ptrdiff_t>(rows.first_row()) * grid.columns;
@@ -269,6 +289,7 @@ void look_for_line(const ProjectedPatch& patch, const ProjectedTriangle& t, cons
   QuadBatch& batch = line.batch;
   batch.triangle.texels = start_span(patch, t, step, origin);
   line.has_quads = reading.has_quads && add_quads(patch, t, origin, batch.triangle, low);
+  batch.triangle.end = out.data() + out.size();
   const Vec2 texel = t.texel_origin + t.texel_by_at * from - origin;
   const double h = t.height_origin + t.height_by_at.dot(from);
   QuadRow& row = batch.rows[0];
