@@ -3,6 +3,7 @@
 #include "thigma/constraint/coarse_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <set>
@@ -112,6 +113,65 @@ TEST(CoarseRows, WhatNoRowKeepsApartIsFartherThanTheTravel) {
       EXPECT_GT(true_pairs, 200) << bodies->pair.name << ' ' << s0;
     }
   }
+}
+
+TEST(CoarseRows, TooManyContactsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
+  constexpr std::size_t kMost = 40;
+  Random random(13);
+  int shrunk = 0, most_halved = 0;
+  for (const auto& bodies : all_bodies()) {
+    ContactFront kept;
+    ContactSet set = room(), want = room();
+    for (int k = 0; k < 20; ++k) {
+      const Pose pose = apart_by(*bodies, random.uniform(0.0, 0.05), random);
+      const Asked asked{0.025, bodies->size * random.uniform(0.02, 0.4), random.uniform(0.05, 0.6)};
+      ContactQuery query = query_of(asked);
+      query.most_pairs = kMost;
+      clear(set);
+      query_contacts({bodies->pair.exact.object, pose}, {bodies->pair.exact.scene}, query, kept,
+                     set);
+      ASSERT_LE(kept.tolerance, query.tolerance);
+      ASSERT_GE(kept.tolerance, query.tolerance / 64.0);
+      EXPECT_TRUE(set.contacts.size() <= kMost || kept.tolerance == query.tolerance / 64.0);
+      const bool is_shrunk = kept.tolerance < query.tolerance;
+      most_halved = std::max(
+          most_halved, static_cast<int>(std::lround(std::log2(query.tolerance / kept.tolerance))));
+      // As if so much had been asked for.
+      query.most_pairs = 0;
+      query.tolerance = kept.tolerance;
+      if (is_shrunk) {
+        query.resolution.exact_within =
+            std::min(query.resolution.exact_within, 0.5 * query.tolerance);
+      }
+      ContactFront fresh;
+      clear(want);
+      query_contacts({bodies->pair.exact.object, pose}, {bodies->pair.exact.scene}, query, fresh,
+                     want);
+      ASSERT_EQ(set.contacts.size(), want.contacts.size()) << bodies->pair.name << ' ' << k;
+      for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+        EXPECT_EQ(set.contacts[i].object_patch, want.contacts[i].object_patch);
+        EXPECT_EQ(set.contacts[i].scene_patch, want.contacts[i].scene_patch);
+        EXPECT_EQ(set.contacts[i].depth, want.contacts[i].depth);
+      }
+      ASSERT_EQ(set.dropped, 0);
+      shrunk += is_shrunk;
+    }
+  }
+  EXPECT_GE(shrunk, 15);
+  EXPECT_GE(most_halved, 2);
+}
+
+TEST(CoarseRows, TheToleranceShrinksNoFartherThanIsAllowed) {
+  Random random(14);
+  const Bodies& bodies = *all_bodies().front();
+  const Pose pose = apart_by(bodies, 1e-3, random);
+  ContactQuery query = query_of({0.025, 0.4 * bodies.size});
+  query.most_pairs = 5;
+  query.least_tolerance = 0.15 * bodies.size;
+  ContactFront front;
+  ContactSet set = room();
+  query_contacts({bodies.pair.exact.object, pose}, {bodies.pair.exact.scene}, query, front, set);
+  EXPECT_EQ(front.tolerance, 0.5 * query.tolerance);
 }
 
 /// A motion that moves no point of the object farther than `travel`, nor turns it by more than

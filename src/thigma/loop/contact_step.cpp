@@ -144,8 +144,8 @@ void set_friction(const ContactWorld& world, Terms& terms) noexcept {
   }
 }
 
-/// Pairs that a query looks at, at most.
-constexpr std::size_t kMostPairs = 6000;
+/// Pairs that a query looks at, at most; and contacts it finds with levels far away.
+constexpr std::size_t kMostPairs = 6000, kMostPairsFar = 1500;
 
 /// What the time between models leaves.
 struct Pace {
@@ -262,9 +262,10 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   // Coarse surfaces under relief have few, and have to be known beyond the relief.
   query.most_pairs = has_relief ? 0 : kMostPairs;
   query.least_tolerance = crowded_look_ahead(constraints);
-  if (has_levels_far(world))
+  if (has_levels_far(world)) {
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
-  else if (!has_relief)  // rows ask contacts which patches are near, no more
+    if (!has_relief) query.most_pairs = kMostPairsFar;
+  } else if (!has_relief)  // rows ask contacts which patches are near, no more
     query.resolution.carry = world.resolution.carry;
   query.measures_hulls = query.holds_near = !has_relief;
   query_scene({*world.object, world_from_mesh(world, body.state)}, world.scene, query,

@@ -117,8 +117,61 @@ void visit_far(MultiresQuery& query, const PendingPair& entry) noexcept {
   if (i >= 0) drop_children(frame.front, i);
 }
 
+/// How many contacts there may be. With more, the walk begins again with a smaller tolerance: an
+/// object that comes fast has looked no farther than what was free before, and there may be
+/// anything.
+class FarLimit {
+ public:
+  explicit FarLimit(const MultiresQuery& query) noexcept
+      : dropped_(query.frame.set.dropped), most_(query.frame.query.most_pairs) {}
+
+  bool is_over(const QueryFrame& frame) const noexcept {
+    return most_ > 0 && frame.set.contacts.size() - frame.first > most_ && halvings_ < kHalvings &&
+           0.5 * frame.query.tolerance >= frame.query.least_tolerance;
+  }
+
+  /// At least a half. As few pairs as were seen yet may all be where surfaces are nearest, so that
+  /// no more than a quarter of the limit is to be left of them.
+  void start_again(QueryFrame& frame) noexcept {
+    std::vector<Contact>& all = frame.set.contacts;
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(frame.first);
+    std::ptrdiff_t within = 0;
+    ContactQuery& asked = frame.query;
+    do {
+      asked.tolerance *= 0.5;
+      ++halvings_;
+      within = std::count_if(begin, all.end(),
+                             [&](const Contact& c) { return -c.depth <= asked.tolerance; });
+    } while (4 * within > static_cast<std::ptrdiff_t>(most_) && is_over(frame));
+    asked.resolution.exact_within = std::min(asked.resolution.exact_within, 0.5 * asked.tolerance);
+    all.erase(begin, all.end());
+    frame.set.dropped = dropped_;
+    frame.is_full = false;
+    ContactFront& front = frame.front;
+    retarget(front, asked.tolerance);
+    front.multires.unremembered = kInfinity;
+    front.multires.pending.clear();
+    front.multires.pending.push_back({.node = 0});
+  }
+
+ private:
+  static constexpr int kHalvings = 6;
+  decltype(ContactSet::dropped) dropped_;
+  std::size_t most_;
+  int halvings_ = 0;
+};
+
 }  // namespace
 
-void walk_far(MultiresQuery& query) noexcept { walk(query, visit_far); }
+void walk_far(MultiresQuery& query) noexcept {
+  FarLimit limit(query);
+  std::vector<PendingPair>& stack = query.frame.front.multires.pending;
+  while (!stack.empty()) {
+    const PendingPair entry = stack.back();
+    stack.pop_back();
+    visit_far(query, entry);
+    if (limit.is_over(query.frame)) limit.start_again(query.frame);
+  }
+}
 
 }  // namespace thigma::detail
