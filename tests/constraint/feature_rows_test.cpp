@@ -276,6 +276,32 @@ TEST(FeatureRows, WhatDoesNotFitIsLookedForNearer) {
   EXPECT_GT(two.model->rows.size(), 0u);
 }
 
+TEST(FeatureRows, WhatWouldBeFarTooManyIsLookedForNearer) {
+  const TriangleMesh ball = make_ball(0.01, 64);
+  BodyState state;
+  state.position = {0.0, 0.0, 0.02001};
+  Two two(ball, ball, 0.0, 60'000);
+  const ConstraintStats stats = two.ask(state, 1e-3);
+  EXPECT_EQ(stats.left_out, 0);
+  EXPECT_GT(stats.halvings, 0);
+  EXPECT_LT(stats.rows, 10 * static_cast<std::int64_t>(kMaxRows));
+  EXPECT_GT(two.model->travel, 0.0);
+  // What is nearest is kept out.
+  BodyState below = state;
+  below.position.z() -= 2e-5;
+  EXPECT_FALSE(obeys(*two.model, below));
+  // Without a bound there would be more.
+  std::vector<FoundRow> all;
+  all.reserve(60'000);
+  RowScratch scratch;
+  reserve_rows(scratch, two.world.object, *two.world.scene[0], 60'000);
+  const BodyPair pair{{&two.world.object, {state.position, state.orientation}},
+                      {two.world.scene[0].get(), Pose{}},
+                      0};
+  EXPECT_EQ(find_rows(pair, two.contacts.contacts, row_reach(two.world, 9.5e-4), scratch, all), 0);
+  EXPECT_GT(all.size(), 10 * kMaxRows);
+}
+
 TEST(FeatureRows, WhatDoesNotFitStopsTheMotion) {
   Two two(make_ball(0.01, 8), make_ball(0.01, 8), 0.0, 4);
   BodyState state;

@@ -27,14 +27,18 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
   return left_out;
 }
 
-/// The same for a travel that is halved until all fits; both are counted.
+/// The same for a travel that is halved until all fits and is not too much; both are counted.
 void find_for_travel(const ConstraintWorld& world, const Pose& world_from_object,
                      const NearContacts& near, ConstraintScratch& scratch, double& travel,
                      ConstraintStats& stats) noexcept {
   constexpr int kHalvings = 8;
+  // Of so many rows far too many are needed: to find the others first would be in vain.
+  constexpr std::size_t kMostFound = 8 * kMaxRows;
+  constexpr int kBounded = 4;  // halvings; smooth surfaces have a fourth of the rows each time
   for (;; ++stats.halvings) {
     RowReach reach = row_reach(world, travel);
     reach.way = near.way;
+    if (stats.halvings < kBounded) reach.most_rows = kMostFound;
     stats.left_out = find_all(world, world_from_object, near.contacts.contacts, reach, scratch);
     if (stats.left_out == 0 || stats.halvings == kHalvings) return;
     travel *= 0.5;

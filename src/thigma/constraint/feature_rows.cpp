@@ -79,6 +79,10 @@ std::int64_t find_rows(const BodyPair& pair, std::span<const Contact> contacts,
   for (const Contact& contact : contacts) {
     if (next == scratch.slabs.size()) break;
     if (!has_features(pair, contact)) continue;
+    if (reach.most_rows > 0 && rows.size() > reach.most_rows) {
+      ++search.left_out;
+      break;
+    }
     detail::search_edges(search, contact, scratch.slabs[next++], scratch, rows);
   }
   return search.left_out;
