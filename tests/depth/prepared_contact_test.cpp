@@ -31,10 +31,11 @@ void expect_same_within(Random& random, PreparedContact& all, PreparedContact& s
   }
   for (int k = 0; k < 60; ++k) {
     // on the border of the box too
-    const Vec2 at = (grid.at(0, 0) + Vec2(random.uniform(-1.0, 41.0), random.uniform(-1.0, 41.0))
-                                         .cwiseProduct(grid.spacing()))
-                        .cwiseMax(all.box.low)
-                        .cwiseMin(all.box.high);
+    const Vec2 at =
+        (grid.at(0, 0) +
+         Vec2(random.uniform(-1.0, 41.0), random.uniform(-1.0, 41.0)).cwiseProduct(grid.spacing()))
+            .cwiseMax(all.box.low)
+            .cwiseMin(all.box.high);
     detail::NearTriangles near_all, near_some;
     EXPECT_EQ(depth_at(all, at, near_all), depth_at(some, at, near_some));
     EXPECT_EQ(is_upright(all, at), is_upright(some, at));
