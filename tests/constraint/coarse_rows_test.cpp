@@ -115,6 +115,21 @@ TEST(CoarseRows, WhatNoRowKeepsApartIsFartherThanTheTravel) {
   }
 }
 
+void expect_same(const ContactSet& a, const ContactSet& b) {
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (std::size_t i = 0; i < a.contacts.size(); ++i) {
+    const Contact &x = a.contacts[i], &y = b.contacts[i];
+    EXPECT_EQ(x.object_patch, y.object_patch);
+    EXPECT_EQ(x.scene_patch, y.scene_patch);
+    EXPECT_EQ(x.depth, y.depth);
+    EXPECT_EQ(x.bound, y.bound);
+    EXPECT_EQ(x.normal, y.normal);
+    EXPECT_EQ(x.point, y.point);
+  }
+  EXPECT_EQ(a.dropped, 0);
+  EXPECT_EQ(b.dropped, 0);
+}
+
 TEST(CoarseRows, TooManyContactsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
   constexpr std::size_t kMost = 40;
   Random random(13);
@@ -132,10 +147,22 @@ TEST(CoarseRows, TooManyContactsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
                      set);
       ASSERT_LE(kept.tolerance, query.tolerance);
       ASSERT_GE(kept.tolerance, query.tolerance / 64.0);
-      EXPECT_TRUE(set.contacts.size() <= kMost || kept.tolerance == query.tolerance / 64.0);
       const bool is_shrunk = kept.tolerance < query.tolerance;
-      most_halved = std::max(
-          most_halved, static_cast<int>(std::lround(std::log2(query.tolerance / kept.tolerance))));
+      const int halvings =
+          static_cast<int>(std::lround(std::log2(query.tolerance / kept.tolerance)));
+      EXPECT_TRUE(set.contacts.size() <= kMost || halvings == 6);
+      // What was known before changes nothing, nor whether there is memory for it.
+      for (const int capacity : {0, 50}) {
+        ContactFront other;
+        if (capacity > 0)
+          reserve_front(other, bodies->pair.exact.object, bodies->pair.exact.scene, capacity);
+        clear(want);
+        query_contacts({bodies->pair.exact.object, pose}, {bodies->pair.exact.scene}, query, other,
+                       want);
+        EXPECT_EQ(other.tolerance, kept.tolerance);
+        expect_same(set, want);
+      }
+      most_halved = std::max(most_halved, halvings);
       // As if so much had been asked for.
       query.most_pairs = 0;
       query.tolerance = kept.tolerance;
@@ -147,18 +174,35 @@ TEST(CoarseRows, TooManyContactsShrinkTheToleranceAndLeaveOutNoneWithinIt) {
       clear(want);
       query_contacts({bodies->pair.exact.object, pose}, {bodies->pair.exact.scene}, query, fresh,
                      want);
-      ASSERT_EQ(set.contacts.size(), want.contacts.size()) << bodies->pair.name << ' ' << k;
-      for (std::size_t i = 0; i < set.contacts.size(); ++i) {
-        EXPECT_EQ(set.contacts[i].object_patch, want.contacts[i].object_patch);
-        EXPECT_EQ(set.contacts[i].scene_patch, want.contacts[i].scene_patch);
-        EXPECT_EQ(set.contacts[i].depth, want.contacts[i].depth);
-      }
-      ASSERT_EQ(set.dropped, 0);
+      expect_same(set, want);
+      ASSERT_FALSE(testing::Test::HasFailure()) << bodies->pair.name << ' ' << k;
       shrunk += is_shrunk;
     }
   }
   EXPECT_GE(shrunk, 15);
   EXPECT_GE(most_halved, 2);
+}
+
+TEST(CoarseRows, WithoutRoomTheToleranceShrinksAllTheSame) {
+  // Contacts of other bodies have taken most of it.
+  Random random(15);
+  const Bodies& bodies = *all_bodies().front();
+  const Pose pose = apart_by(bodies, 1e-3, random);
+  ContactQuery query = query_of({0.025, 0.4 * bodies.size});
+  query.most_pairs = 40;
+  ContactFront front, fresh;
+  ContactSet roomy = room(), set;
+  query_contacts({bodies.pair.exact.object, pose}, {bodies.pair.exact.scene}, query, front, roomy);
+  ASSERT_LT(front.tolerance, query.tolerance);
+  ASSERT_GT(roomy.contacts.size(), 10u);
+  constexpr std::size_t kOthers = 7, kRoom = 10;
+  set.contacts.reserve(kOthers + kRoom);
+  set.contacts.resize(kOthers);
+  query_contacts({bodies.pair.exact.object, pose}, {bodies.pair.exact.scene}, query, fresh, set);
+  EXPECT_LT(fresh.tolerance, query.tolerance);
+  EXPECT_GE(fresh.tolerance, front.tolerance);
+  EXPECT_EQ(set.contacts.size(), set.contacts.capacity());
+  EXPECT_LE(set.contacts.size() - kOthers + static_cast<std::size_t>(set.dropped), 40u);
 }
 
 TEST(CoarseRows, TheToleranceShrinksNoFartherThanIsAllowed) {

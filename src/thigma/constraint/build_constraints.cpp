@@ -23,6 +23,7 @@ std::int64_t find_all(const ConstraintWorld& world, const Pose& world_from_objec
                         {world.scene[i].get(), world.bodies[i].world_from_body},
                         static_cast<std::int32_t>(i)};
     left_out += find_rows(pair, contacts, reach, scratch.rows, scratch.found);
+    if (reach.most_rows > 0 && left_out > 0) break;  // they are looked for again
   }
   return left_out;
 }

@@ -75,7 +75,7 @@ struct NearContacts {
 struct ConstraintStats {
   std::int64_t rows = 0;      // found
   std::int64_t left_out = 0;  // candidates and contacts for want of room: nothing may move then
-  // times the travel was halved, as more rows were needed than fit; rounded up
+  // times the travel was halved, as more rows were needed than fit, or far more found; rounded up
   std::int32_t halvings = 0;
 };
 

@@ -40,7 +40,8 @@ struct RowReach {
   double travel = 0.0;  // no point of the object moves farther [m]
   double turn = 0.0;    // nor does it turn by more [rad]
   LikelyWay way{};      // longer than the travel it counts as far as that
-  // rows in all that are looked for: the search ends with more, and says so; 0: all
+  // so many rows are enough: with more those of edges are looked for no further, and count as left
+  // out; 0: all
   std::size_t most_rows = 0;
 };
 

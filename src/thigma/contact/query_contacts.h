@@ -20,9 +20,9 @@ struct ContactQuery {
   bool keep_directions = false;
   std::int32_t body = 0;  // written to the contacts
   // where more pairs than this have to be looked at, with Resolution::exact_within where more
-  // contacts are found, the tolerance is halved on the way, six times at most, and so is what is
-  // exact; ContactFront::tolerance is what is left. 0: as many as there are. Not of other queries
-  // with levels
+  // contacts are found, the tolerance is halved on the way, six times at most, and what is exact
+  // becomes at most half of it; ContactFront::tolerance is what is left. 0: as many as there are.
+  // Not of other queries with levels
   std::size_t most_pairs = 0;
   double least_tolerance = 0.0;  // never halved to less, however many there are [m]
   // Exact, or with Resolution::exact_within: where no closed form has the distance of two patches

@@ -200,6 +200,7 @@ Below find_highest(const ProjectedPatch& patch, const Vec2& at, const SurfaceFoo
   Below best;
   sheets = 1;
   const std::int32_t near = foot.triangle;
+  bool is_tried = false;  // from the place itself, as the others are
   const bool has_guess = near >= 0 && near < static_cast<std::int32_t>(patch.triangles.size());
   if (has_guess && may_cover(patch.triangles[static_cast<std::size_t>(near)], at)) {
     best.place = at + foot.aside;
@@ -207,12 +208,13 @@ Below find_highest(const ProjectedPatch& patch, const Vec2& at, const SurfaceFoo
         Found::on)
       return {near, best.place, Found::on};
     best = {};
+    is_tried = foot.aside.isZero();
   }
   sheets = 0;
   double highest = kNoSurface;
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     const ProjectedTriangle& t = patch.triangles[i];
-    if (!may_cover(t, at) || (has_guess && static_cast<std::int32_t>(i) == near)) continue;
+    if (!may_cover(t, at) || (is_tried && static_cast<std::int32_t>(i) == near)) continue;
     Below here{static_cast<std::int32_t>(i), at, Found::on};
     if (!find_below(patch, t, at, here.place)) continue;
     sheets += insideness(t, here.place) > kFoundSlack;
@@ -412,6 +414,10 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   patch.triangles.clear();
   patch.around.clear();
   patch.hidden.clear();
+  // As much of a side may reach the box another time.
+  patch.triangles.reserve(side.triangles.size());
+  patch.around.reserve(side.around.size());
+  patch.hidden.reserve(side.triangles.size());
   patch.box = {};
   place_patch(side, frame, facing, patch);
   patch.sideways = sideways_of(side.texture->pyramid.back().cells.front(), patch.contact_from_body);

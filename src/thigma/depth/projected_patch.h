@@ -121,7 +121,8 @@ struct TexturedPatch {
 void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing facing,
                    ProjectedPatch& patch, const PlaneBox& over = kWholePlane) noexcept;
 
-/// The box that project_patch gives a patch over the whole plane, without projecting its triangles.
+/// The box that project_patch gives a patch over the whole plane, without projecting its triangles;
+/// no smaller where some of these have no area in the map.
 /// Thread  [contact]; no failure.
 PlaneBox patch_box(const TexturedPatch& side, const ContactFrame& frame, Facing facing) noexcept;
 

@@ -264,7 +264,7 @@ void find_near(const ContactWorld& world, const StampedBody& body,
   query.least_tolerance = crowded_look_ahead(constraints);
   if (has_levels_far(world)) {
     query.resolution = levels_far(world, scratch.looked_ahead, wanted);
-    if (!has_relief) query.most_pairs = kMostPairsFar;
+    query.most_pairs = kMostPairsFar;
   } else if (!has_relief)  // rows ask contacts which patches are near, no more
     query.resolution.carry = world.resolution.carry;
   query.measures_hulls = query.holds_near = !has_relief;

@@ -123,10 +123,13 @@ void visit_far(MultiresQuery& query, const PendingPair& entry) noexcept {
 class FarLimit {
  public:
   explicit FarLimit(const MultiresQuery& query) noexcept
-      : dropped_(query.frame.set.dropped), most_(query.frame.query.most_pairs) {}
+      : dropped_(query.frame.set.dropped),
+        front_(query.frame.set.stats.front),
+        most_(static_cast<std::int64_t>(query.frame.query.most_pairs)) {}
 
   bool is_over(const QueryFrame& frame) const noexcept {
-    return most_ > 0 && frame.set.contacts.size() - frame.first > most_ && halvings_ < kHalvings &&
+    const auto held = static_cast<std::int64_t>(frame.set.contacts.size() - frame.first);
+    return most_ > 0 && held + (frame.set.dropped - dropped_) > most_ && halvings_ < kHalvings &&
            0.5 * frame.query.tolerance >= frame.query.least_tolerance;
   }
 
@@ -135,17 +138,18 @@ class FarLimit {
   void start_again(QueryFrame& frame) noexcept {
     std::vector<Contact>& all = frame.set.contacts;
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(frame.first);
-    std::ptrdiff_t within = 0;
+    std::int64_t within = 0;
     ContactQuery& asked = frame.query;
     do {
       asked.tolerance *= 0.5;
       ++halvings_;
       within = std::count_if(begin, all.end(),
                              [&](const Contact& c) { return -c.depth <= asked.tolerance; });
-    } while (4 * within > static_cast<std::ptrdiff_t>(most_) && is_over(frame));
+    } while (4 * within > most_ && is_over(frame));
     asked.resolution.exact_within = std::min(asked.resolution.exact_within, 0.5 * asked.tolerance);
     all.erase(begin, all.end());
     frame.set.dropped = dropped_;
+    frame.set.stats.front = front_;
     frame.is_full = false;
     ContactFront& front = frame.front;
     retarget(front, asked.tolerance);
@@ -156,8 +160,8 @@ class FarLimit {
 
  private:
   static constexpr int kHalvings = 6;
-  decltype(ContactSet::dropped) dropped_;
-  std::size_t most_;
+  std::int64_t dropped_, front_;  // before this query
+  std::int64_t most_;
   int halvings_ = 0;
 };
 

@@ -149,7 +149,7 @@ double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2&
 void bind_surface(const ProjectedPatch& patch, NearSurface& surface) noexcept {
   surface.patch = &patch;
   surface.triangles.clear();
-  surface.triangles.reserve(patch.triangles.size());
+  surface.triangles.reserve(patch.triangles.capacity());
   surface.close = kClose * patch.texture->texel_size;
   const float sign = patch.facing == Facing::along ? 1.0f : -1.0f;
   for (int k = 0; k < 3; ++k) {

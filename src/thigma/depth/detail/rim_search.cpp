@@ -50,6 +50,7 @@ Part over(Part part, const ProjectedTriangle& t) noexcept {
 void sort_edges(const ProjectedPatch& patch, const PlaneBox& box,
                 std::vector<PatchEdge>& edges) noexcept {
   edges.clear();
+  edges.reserve(3 * patch.triangles.capacity());
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     if (!overlap(patch.triangles[i].box, box)) continue;
     const auto& corners = patch.texture->coarse.triangles[idx(patch.triangles[i].triangle)];

@@ -195,7 +195,8 @@ class TriangleRows {
 
  private:
   // The first sample of a row on the triangle, and how many there are; none or fewer where there is
-  // none. Places that are no numbers have none. Without branches: where rows end nothing foretells.
+  // none. Within the row, also where a place is no number. Without branches: where rows end nothing
+  // foretells.
   void set_ends(__m128d v, QuadRow& part) const noexcept {
     const __m128d within = _mm_min_pd(_mm_max_pd(v, _mm_set1_pd(bottom_)), _mm_set1_pd(top_));
     const __m128d low_high = _mm_max_pd(at_height(edges_[0], within), at_height(edges_[1], within));

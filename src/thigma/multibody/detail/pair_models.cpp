@@ -194,6 +194,7 @@ void renew(const World& world, const BodyState& relative, double way, NearPair& 
                           ? exact_within(constraints, way, pair, query.tolerance)
                           : 0.0;
   if (pair.exact_within > 0.0) {
+    query.most_pairs = 0;  // as many as there are: else the step would go in parts
     query.resolution.is_exact = false;
     query.resolution.metric = {.haptic = world.threshold};
     query.resolution.exact_within = pair.exact_within;
