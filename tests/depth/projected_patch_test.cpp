@@ -139,6 +139,40 @@ TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
 }
 
 // On a bent surface displacements cross from one triangle to the next.
+// Feet of other places, and those that nothing has: a foot is where to look first, no more.
+TEST(ProjectedPatch, finds_the_same_height_whatever_the_foot) {
+  Random random(9);
+  int found = 0;
+  for (int i = 0; i < 20; ++i) {
+    const test::PlateContact p(random, {.cells = 2 + i % 4, .bend = 3.0, .noise = 1.6e-4});
+    const ContactFrame frame = contact_frame(p.contact.point, p.contact.normal);
+    ProjectedPatch patch;
+    project_patch(p.contact.object, frame, Facing::along, patch);
+    const int triangles = static_cast<int>(patch.triangles.size());
+    for (int k = 0; k < 200; ++k) {
+      // Beside edges the fine surface of one triangle lies over another.
+      const auto& corners = patch.triangles[random.below(patch.triangles.size())].at;
+      const Vec2 at = corners[0] + random.uniform() * (corners[1] - corners[0]) +
+                      1e-4 * Vec2(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+      std::int32_t near = -1;
+      const double want = height_at(patch, at, near);
+      if (!surface_jet(patch, at).is_height_field) continue;  // of several sheets any is right
+      const bool is_own = k % 2 == 0 && near >= 0;
+      SurfaceFoot foot{is_own ? near
+                              : static_cast<std::int32_t>(
+                                    random.below(static_cast<std::uint32_t>(triangles + 2))) -
+                                    1,
+                       random.uniform(0.0, 4e-3) * Vec2(random.uniform(-1.0, 1.0), 1.0)};
+      const double got = height_at(patch, at, foot);
+      ASSERT_EQ(got == kNoSurface, want == kNoSurface) << i << ' ' << k;
+      if (want == kNoSurface) continue;
+      EXPECT_NEAR(got, want, 1e-9) << i << ' ' << k;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
 TEST(ProjectedPatch, follows_across_triangles) {
   Random random(6);
   int moved = 0;
