@@ -138,7 +138,6 @@ TEST(ProjectedPatch, fine_surface_is_the_same_however_its_points_are_paired) {
   EXPECT_GT(not_followed, 1e-4);
 }
 
-// On a bent surface displacements cross from one triangle to the next.
 // Feet of other places, and those that nothing has: a foot is where to look first, no more.
 TEST(ProjectedPatch, finds_the_same_height_whatever_the_foot) {
   Random random(9);
@@ -173,6 +172,7 @@ TEST(ProjectedPatch, finds_the_same_height_whatever_the_foot) {
   EXPECT_GT(found, 1000);
 }
 
+// On a bent surface displacements cross from one triangle to the next.
 TEST(ProjectedPatch, follows_across_triangles) {
   Random random(6);
   int moved = 0;

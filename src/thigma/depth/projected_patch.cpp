@@ -342,17 +342,21 @@ bool may_reach(const ProjectedPatch& patch, const PlaneBox& box, const PlaneBox&
          overlap(box, {over.low - patch.sideways.high, over.high - patch.sideways.low});
 }
 
-Vec3 area_of(const Corners& c) noexcept { return (c.at[1] - c.at[0]).cross(c.at[2] - c.at[0]); }
+enum class Seen : std::uint8_t {
+  facing,
+  hidden,  // looks the other way, or is seen edge-on
+  has_no_area,
+};
 
-// Whether a triangle looks the other way or is seen edge-on; one without area does neither.
-bool is_hidden(const ProjectedPatch& patch, const Corners& corners) noexcept {
+Seen seen(const ProjectedPatch& patch, const Corners& corners) noexcept {
   // Cosine between a triangle's normal and the direction below which it counts as seen edge-on. Its
   // height changes by 1 / cosine per length: with the side of a box under a tilt of a tenth of a
   // degree that would be the slope of a contact, and its force sideways.
   constexpr double kEdgeOn = 0.1;
-  const Vec3 normal = area_of(corners);
+  const Vec3 normal = (corners.at[1] - corners.at[0]).cross(corners.at[2] - corners.at[0]);
   const double size = normal.norm();
-  return size > 0.0 && !(sign_of(patch.facing) * normal.z() > kEdgeOn * size);
+  if (!(size > 0.0)) return Seen::has_no_area;
+  return sign_of(patch.facing) * normal.z() > kEdgeOn * size ? Seen::facing : Seen::hidden;
 }
 
 // Where a patch lies and which way it looks; no triangles yet.
@@ -377,10 +381,9 @@ double highest(const ProjectedPatch& patch, const Corners& c) noexcept {
   return std::max({direction * c.at[0].z(), direction * c.at[1].z(), direction * c.at[2].z()});
 }
 
-// False for a triangle without area, or so far from the contact that nothing is left of its shape.
+// A triangle that faces; false for one so far from the contact that nothing is left of its shape.
 bool project_triangle(const ProjectedPatch& patch, const Corners& corners, std::int32_t index,
                       ProjectedTriangle& projected) noexcept {
-  if (!(area_of(corners).norm() > 0.0)) return false;
   const auto& texels = patch.texture->corners[static_cast<std::size_t>(index)];
   projected = affine_maps(corners.at, texels, sign_of(patch.facing));
   if (!is_finite(projected)) return false;
@@ -425,9 +428,10 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   for (const std::int32_t index : side.triangles) {
     const Corners corners = corners_of(patch, index);
     if (!may_reach(patch, corners.box, over)) continue;
-    if (is_hidden(patch, corners)) {
+    const Seen as = seen(patch, corners);
+    if (as == Seen::hidden) {
       patch.hidden.push_back({corners.box, highest(patch, corners), index});
-    } else if (project_triangle(patch, corners, index, projected)) {
+    } else if (as == Seen::facing && project_triangle(patch, corners, index, projected)) {
       patch.triangles.push_back(projected);
       add_box(patch.box, corners);
     }
@@ -435,7 +439,7 @@ void project_patch(const TexturedPatch& side, const ContactFrame& frame, Facing 
   const PlaneBox own = intersection(patch.box, over);
   for (const std::int32_t index : side.around) {
     const Corners corners = corners_of(patch, index);
-    if (!may_reach(patch, corners.box, own) || is_hidden(patch, corners)) continue;
+    if (!may_reach(patch, corners.box, own) || seen(patch, corners) != Seen::facing) continue;
     if (project_triangle(patch, corners, index, projected) && overlap(projected.fine, own))
       patch.around.push_back(projected);
   }
@@ -447,7 +451,7 @@ PlaneBox patch_box(const TexturedPatch& side, const ContactFrame& frame, Facing 
   PlaneBox box;
   for (const std::int32_t index : side.triangles) {
     const Corners corners = corners_of(patch, index);
-    if (!is_hidden(patch, corners) && area_of(corners).norm() > 0.0) add_box(box, corners);
+    if (seen(patch, corners) == Seen::facing) add_box(box, corners);
   }
   return box;
 }

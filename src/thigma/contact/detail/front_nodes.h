@@ -147,6 +147,12 @@ inline void retarget(ContactFront& front, double tolerance) noexcept {
   forget_depths(front);
 }
 
+// Whether the tolerance of a query with too many pairs may be halved again, after so many times.
+inline bool may_halve(const ContactQuery& query, int halvings) noexcept {
+  constexpr int kMost = 6;
+  return query.most_pairs > 0 && halvings < kMost && 0.5 * query.tolerance >= query.least_tolerance;
+}
+
 // Brings travel up to this pose, or forgets everything: other bodies, another kind of query, or a
 // jump, after which descending from the root is cheaper than looking at everything.
 inline FrontState advance_front(QueryFrame& frame, bool has_levels) noexcept {

@@ -37,8 +37,7 @@ class PairLimit {
   /// Halves the tolerance where there are too many. What was found so far is measured with the
   /// smaller one, and sleeps where it is farther.
   void hold(QueryFrame& frame) noexcept {
-    const bool is_least = 0.5 * frame.query.tolerance < frame.query.least_tolerance;
-    if (step_ == 0 || halvings_ == kHalvings || is_least) return;
+    if (!may_halve(frame.query, halvings_)) return;
     const ExactFront& lists = frame.front.exact;
     const std::size_t waiting =
         lists.active.size() + lists.incoming.size() + lists.saturated.size();
@@ -52,7 +51,6 @@ class PairLimit {
   }
 
  private:
-  static constexpr int kHalvings = 6;
   std::int64_t step_, limit_;
   bool is_first_;
   int halvings_ = 0;

@@ -129,8 +129,7 @@ class FarLimit {
 
   bool is_over(const QueryFrame& frame) const noexcept {
     const auto held = static_cast<std::int64_t>(frame.set.contacts.size() - frame.first);
-    return most_ > 0 && held + (frame.set.dropped - dropped_) > most_ && halvings_ < kHalvings &&
-           0.5 * frame.query.tolerance >= frame.query.least_tolerance;
+    return held + (frame.set.dropped - dropped_) > most_ && may_halve(frame.query, halvings_);
   }
 
   /// At least a half. As few pairs as were seen yet may all be where surfaces are nearest, so that
@@ -159,7 +158,6 @@ class FarLimit {
   }
 
  private:
-  static constexpr int kHalvings = 6;
   std::int64_t dropped_, front_;  // before this query
   std::int64_t most_;
   int halvings_ = 0;
@@ -169,13 +167,10 @@ class FarLimit {
 
 void walk_far(MultiresQuery& query) noexcept {
   FarLimit limit(query);
-  std::vector<PendingPair>& stack = query.frame.front.multires.pending;
-  while (!stack.empty()) {
-    const PendingPair entry = stack.back();
-    stack.pop_back();
-    visit_far(query, entry);
-    if (limit.is_over(query.frame)) limit.start_again(query.frame);
-  }
+  walk(query, [&](MultiresQuery& of, const PendingPair& entry) {
+    visit_far(of, entry);
+    if (limit.is_over(of.frame)) limit.start_again(of.frame);
+  });
 }
 
 }  // namespace thigma::detail

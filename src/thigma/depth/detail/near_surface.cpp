@@ -71,7 +71,7 @@ double coordinates_of(const ProjectedTriangle& t, double way) noexcept {
 }
 
 double height_by_find(const NearSurface& s, const ProjectedTriangle& t, const Vec2& at,
-                      NearFoot& foot) noexcept {
+                      SurfaceFoot& foot) noexcept {
   Vec2 place;
   if (!find_below(*s.patch, t, at, place)) return kNoSurface;
   foot.aside = place - at;
@@ -115,7 +115,7 @@ Look look_in_cell(const TurnedCell& cell, const ProjectedTriangle& t, const Vec2
 /// Height of a triangle's fine surface over a place; kNoSurface where it does not lie. Where that
 /// is hard to tell find_below does.
 double height_over(const NearSurface& s, const ProjectedTriangle& t, const Vec2& at,
-                   NearFoot& foot) noexcept {
+                   SurfaceFoot& foot) noexcept {
   constexpr int kSteps = 6;
   Vec2 place = at + foot.aside;
   for (int k = 0; k < kSteps; ++k) {
@@ -166,7 +166,7 @@ void look_over(const PlaneBox& box, NearSurface& surface) noexcept {
       surface.triangles.push_back(static_cast<std::int32_t>(i));
 }
 
-double height_near(const NearSurface& surface, const Vec2& at, NearFoot& foot) noexcept {
+double height_near(const NearSurface& surface, const Vec2& at, SurfaceFoot& foot) noexcept {
   const ProjectedPatch& patch = *surface.patch;
   const std::int32_t known = foot.triangle;
   if (known >= 0 && idx(known) < patch.triangles.size() &&
@@ -175,10 +175,10 @@ double height_near(const NearSurface& surface, const Vec2& at, NearFoot& foot) n
     if (height != kNoSurface) return height;
   }
   double highest = kNoSurface;
-  NearFoot best;
+  SurfaceFoot best;
   for (const std::int32_t i : surface.triangles) {
     if (i == known || !may_cover(patch.triangles[idx(i)], at)) continue;
-    NearFoot here{i, foot.aside};
+    SurfaceFoot here{i, foot.aside};
     const double height = height_over(surface, patch.triangles[idx(i)], at, here);
     if (height > highest) highest = height, best = here;
   }

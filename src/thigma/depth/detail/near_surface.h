@@ -9,14 +9,12 @@
 
 namespace thigma::detail {
 
-using NearFoot = SurfaceFoot;
-
 /// Of both sides of a contact.
 struct NearFeet {
-  NearFoot object, scene;
+  SurfaceFoot object, scene;
 };
 
-inline std::int32_t triangle_of(const NearFoot& foot) noexcept { return foot.triangle; }
+inline std::int32_t triangle_of(const SurfaceFoot& foot) noexcept { return foot.triangle; }
 
 /// A patch with its triangles about a box. Any content is valid to fill.
 struct NearSurface {
@@ -41,6 +39,6 @@ void look_over(const PlaneBox& box, NearSurface& surface) noexcept;
 /// foot  where to look first, and where it was found; any value is fine. Its sheet is taken where
 ///       it lies over the place, whatever lies above; without a triangle the highest is
 /// Thread [contact]; no failure.
-double height_near(const NearSurface& surface, const Vec2& at, NearFoot& foot) noexcept;
+double height_near(const NearSurface& surface, const Vec2& at, SurfaceFoot& foot) noexcept;
 
 }  // namespace thigma::detail

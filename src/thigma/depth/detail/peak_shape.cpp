@@ -16,7 +16,7 @@ constexpr double kWander = 3.0;  // of a way: farther the deepest place is anoth
 using Ring = std::array<double, kRing>;  // heights or depths
 
 /// Height of one side, kNoSurface beside its patch.
-double height_of(const NearSurface& side, const Vec2& at, NearFoot& foot) noexcept {
+double height_of(const NearSurface& side, const Vec2& at, SurfaceFoot& foot) noexcept {
   return contains(side.patch->box, at) ? height_near(side, at, foot) : kNoSurface;
 }
 

@@ -163,8 +163,9 @@ class TriangleRows {
     if (is_whole_) return;
     edges_ = edge_pairs(t);
     const auto row_of = [&](double v) { return (v - low_v_) / spacing_v_ - 0.5; };
-    first_row_ = first_index(row_of(bottom_), grid.rows);
-    last_row_ = end_index(row_of(top_), grid.rows) - 1;
+    const Range rows = range_of(_mm_set_pd(row_of(top_), row_of(bottom_)), grid.rows);
+    first_row_ = rows.first;
+    last_row_ = rows.end - 1;
   }
 
   int first_row() const noexcept { return first_row_; }
@@ -195,32 +196,31 @@ class TriangleRows {
 
  private:
   // The first sample of a row on the triangle, and how many there are; none or fewer where there is
-  // none. Within the row, also where a place is no number. Without branches: where rows end nothing
-  // foretells.
+  // none.
   void set_ends(__m128d v, QuadRow& part) const noexcept {
     const __m128d within = _mm_min_pd(_mm_max_pd(v, _mm_set1_pd(bottom_)), _mm_set1_pd(top_));
     const __m128d low_high = _mm_max_pd(at_height(edges_[0], within), at_height(edges_[1], within));
     const __m128d turned = _mm_set_pd(-0.0, 0.0);  // -u is u again
     const __m128d u = _mm_xor_pd(low_high, turned);
     const __m128d cells = _mm_mul_pd(_mm_sub_pd(u, _mm_set1_pd(first_u_)), _mm_set1_pd(per_u_));
-    const __m128d from = _mm_add_pd(cells, _mm_set_pd(1.0 + kSpanOverlap, -kSpanOverlap));
-    const __m128d held = _mm_min_pd(_mm_max_pd(from, _mm_setzero_pd()), _mm_set1_pd(columns_));
-    const __m128i whole = _mm_cvttpd_epi32(held);
-    const int is_above = _mm_movemask_pd(_mm_cmpgt_pd(held, _mm_cvtepi32_pd(whole)));
-    part.first = _mm_cvtsi128_si32(whole) + (is_above & 1);
-    part.count = _mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 1)) - part.first;
+    const Range samples = range_of(cells, columns_);
+    part.first = samples.first;
+    part.count = samples.end - samples.first;
   }
 
-  // The first of `count` indices from a place on, and the one after the last up to it; whatever the
-  // place, also where it is no number.
-  static int first_index(double cells, int count) noexcept {
-    const double from = std::min<double>(count, std::max(0.0, cells - kSpanOverlap));
-    const int whole = static_cast<int>(from);
-    return whole + (from > whole);
-  }
-  static int end_index(double cells, int count) noexcept {
-    const double to = cells + (1.0 + kSpanOverlap);
-    return static_cast<int>(std::min<double>(count, std::max(0.0, to)));
+  struct Range {
+    int first, end;
+  };
+  // The first of `count` indices from the first place on, and the one after the last up to the
+  // second place; within them whatever the places, also where one is no number. Without branches:
+  // where rows end nothing foretells.
+  static Range range_of(__m128d cells, int count) noexcept {
+    const __m128d from = _mm_add_pd(cells, _mm_set_pd(1.0 + kSpanOverlap, -kSpanOverlap));
+    const __m128d held = _mm_min_pd(_mm_max_pd(from, _mm_setzero_pd()), _mm_set1_pd(count));
+    const __m128i whole = _mm_cvttpd_epi32(held);
+    const int is_above = _mm_movemask_pd(_mm_cmpgt_pd(held, _mm_cvtepi32_pd(whole)));
+    return {_mm_cvtsi128_si32(whole) + (is_above & 1),
+            _mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 1))};
   }
 
   /// At the first sample of a row: origin + (by_u u + by_v v).
